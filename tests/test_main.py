@@ -41,3 +41,9 @@ def test_the_exit_code_is_that_of_the_command(tmp_path: Path) -> None:
     assert done.returncode == 2
     assert done.stderr.startswith("cotouch: the session ")
     assert done.stderr.count("\n") == 1
+
+
+def test_nothing_is_loaded_before_ctrl_c_is_heeded() -> None:
+    """What is interrupted while it loads ends in a traceback, unless `run` has begun."""
+    seen = "import sys; before = set(sys.modules); import cotouch.__main__; print(*sorted(set(sys.modules) - before))"
+    assert ran("-c", seen).stdout.split() == ["cotouch", "cotouch.__main__"]

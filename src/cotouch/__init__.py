@@ -11,9 +11,7 @@
 Everything here is loaded on first use, so that `import cotouch` and the command line start quickly.
 """
 
-from importlib import import_module
-from typing import TYPE_CHECKING
-
+TYPE_CHECKING = False  # as `typing` has it, which takes long to load; Ctrl-C is not heeded yet
 if TYPE_CHECKING:
     from cotouch.body import Body, body_from_surface, body_from_tetrahedra, chain, lattice, point
     from cotouch.errors import (
@@ -120,6 +118,8 @@ def __getattr__(name: str) -> object:
     home = _HOME.get(name)
     if home is None:
         raise AttributeError(f"module 'cotouch' has no attribute {name!r}")
+    from importlib import import_module
+
     return getattr(import_module(home), name)
 
 

@@ -1,14 +1,12 @@
 """`python -m cotouch` is `cotouch`, and how members of a session are started."""
 
-import atexit
-import contextlib
+# What takes time to load is loaded where Ctrl-C is heeded.
 import os
 import sys
-import threading
-import traceback
-from typing import NoReturn
 
-from cotouch.processes import tie_to_parent
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import NoReturn
 
 # So long may an interrupted command take to tidy up: what it was compiling or working out may go on for minutes [s].
 _TIDY = 1.0
@@ -30,17 +28,23 @@ def _code() -> int:
         sys.stderr.write("cotouch: interrupted\n")
         return _INTERRUPTED
     except BaseException:  # noqa: BLE001 - as Python itself would end
+        import traceback
+
         traceback.print_exc()
         return 1
     return 0
 
 
-def run() -> NoReturn:
+def run() -> "NoReturn":
     """Runs the command and ends the process without taking Python down; also what is installed as `cotouch`."""
     try:
+        from cotouch.processes import tie_to_parent
+
         tie_to_parent()
         code = _code()
         if code == _INTERRUPTED:
+            import threading
+
             hard = threading.Timer(_TIDY, os._exit, [code])
             hard.daemon = True
             hard.start()
@@ -56,6 +60,10 @@ def _finish() -> None:
 
     Zenoh's own threads may still call back then, and that ends in "FATAL: exception not rethrown".
     """
+    import atexit
+    import contextlib
+    import threading
+
     for thread in threading.enumerate():
         if thread is not threading.current_thread() and not thread.daemon:
             thread.join()

@@ -296,6 +296,8 @@ def test_a_demo_that_is_killed_leaves_neither_members_nor_boards(
         (("join", "{changed}"), "invitation"),
         (("measure", "cotouch:"), "invitation"),
         (("join", "{whole}", "--device", "glove"), '--device is "glove"; it must be one of scripted'),
+        (("join", "{whole}", "--name", "A\x9b2J"), "it must be 1 to 32 letters in one line"),
+        (("join", "{whole}", "--name", 33 * "A"), "it must be 1 to 32 letters in one line"),
         (("join", "{whole}", "--record", "{missing}/a.mcap"), "does not exist"),
         (("measure", "{whole}", "--out", "{missing}/n.toml"), "does not exist"),
         (("host", "{missing}.toml"), "cannot be read"),

@@ -77,14 +77,16 @@ def test_what_would_hum_or_slip_is_refused_or_lowered():
     )
 
 
-def _cycle(core: ServoCore, k: int, place: float, order: Order) -> ServoReport:
-    core.receive(order._replace(time=1e-3 * k, enable=True))
+def _cycle(core: ServoCore, k: int, place: float, order: Order | None, buttons: int = 0) -> ServoReport:
+    if order is not None:
+        core.receive(order._replace(time=1e-3 * k, enable=True))
     reading = DeviceReading(
         time=1e-3 * k,
         position=np.array([place, 0.0, 0.0]),
         velocity=np.zeros(3),
         force=np.full(3, np.nan),
         flags=Flag.FORCE_ON | Flag.CALIBRATED,
+        buttons=buttons,
     )
     return core.cycle(reading, 1e-3 * k)
 
@@ -132,6 +134,31 @@ def test_another_coupling_leaves_what_is_latched():
     report = _cycle(core, 60, 0.038, Order(time=0.0, coupling=1, options=EndOptions()))
     assert report.causes & Cause.FAST
     report = _cycle(core, 61, 0.038, Order(time=0.0, coupling=1, options=EndOptions(), rearm=1))
+    assert not report.causes & Cause.FAST
+
+
+def test_the_first_order_re_arms_nothing():
+    """What it counts may have been counted for another device, or before this servo was started."""
+    core = ServoCore(SPEC, SafetyLimits.of(SPEC), EndOptions())
+    for k in range(60):  # nobody has said anything yet, and the device is thrown
+        _cycle(core, k, 2e-3 * min(k, 20), None)
+    for k, rearm in ((60, 3), (61, 3), (62, 2)):
+        assert _cycle(core, k, 0.04, Order(time=0.0, rearm=rearm)).causes & Cause.FAST
+    assert not _cycle(core, 63, 0.04, Order(time=0.0, rearm=4)).causes & Cause.FAST
+
+
+def test_a_button_re_arms_at_rest_alone():
+    core = ServoCore(SPEC, SafetyLimits.of(SPEC), EndOptions())
+    for k in range(30):
+        _cycle(core, k, 2e-3 * min(k, 20), Order(time=0.0))
+    for k in range(30, 1600):  # held while the device moves to and fro, slower than a hand
+        report = _cycle(core, k, 0.04 - 2e-4 * abs((k - 30) % 100 - 50), Order(time=0.0), buttons=1)
+    assert report.causes & Cause.FAST
+    for k in range(1600, 2500):
+        report = _cycle(core, k, 0.04, Order(time=0.0), buttons=1)
+    assert report.causes & Cause.FAST
+    for k in range(2500, 2800):
+        report = _cycle(core, k, 0.04, Order(time=0.0), buttons=1)
     assert not report.causes & Cause.FAST
 
 

@@ -172,30 +172,6 @@ def test_the_wall_of_the_workspace_leads_back_and_gives_nothing():
     assert work <= 1e-3 + core.observed_bound
 
 
-def test_a_button_held_long_re_arms():
-    spec = SPECS["phantom"]
-    core = ServoCore(spec, SafetyLimits.of(spec), EndOptions())
-
-    def cycle(now: float, x: float, buttons: int) -> Cause:
-        core.receive(Order(time=now, place=(0.0, 0.0, 0.0), enable=True))
-        reading = DeviceReading(
-            time=now,
-            position=np.array([x, 0.0, 0.0]),
-            velocity=np.zeros(3),
-            force=np.full(3, np.nan),
-            flags=Flag.FORCE_ON,
-            buttons=buttons,
-        )
-        return core.cycle(reading, now).causes
-
-    for k in range(20):
-        causes = cycle(1e-3 * k, 2e-3 * k, 0)  # 2 m/s
-    assert causes & Cause.FAST
-    pressed = [cycle(0.02 + 1e-3 * k, 0.038, 1) & Cause.FAST for k in range(1100)]
-    assert all(pressed[:900])
-    assert not pressed[-1]
-
-
 def test_the_proxy_end_never_owes():
     rng = np.random.default_rng(0)
     end, place = ProxyEnd(EndOptions()), np.zeros(3)

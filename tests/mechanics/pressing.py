@@ -104,7 +104,7 @@ class Pressed:
         gap = self.energy - before - (own[SUPPLIED] + tool[DRIVE] + did.sum()) + lost
         moved = np.abs(did).sum() + abs(own[SUPPLIED]) + abs(tool[DRIVE]) + lost
         self.residual = max(self.residual, abs(gap)) if np.isfinite(gap) else np.inf
-        self.in_play = max(self.in_play, before, self.energy, float(moved))
+        self.in_play = max(self.in_play, abs(before), abs(self.energy), float(moved))
         self.totals += tool
 
     def skin_place(self) -> Float:

@@ -5,7 +5,7 @@ import pytest
 from tests.mechanics.pressing import SPACING, Pressed, block, plate
 
 from cotouch.body import lattice
-from cotouch.mechanics import AWAY, GRASP, TOUCH, TOUCH_LOSS
+from cotouch.mechanics import AWAY, GRASP, TOUCH, TOUCH_LOSS, Surface, relief_on
 
 TOP = 2 * SPACING
 
@@ -45,6 +45,8 @@ def test_the_balance_is_exact_however_early_the_solver_stops(cap: int) -> None:
     tools.friction[:], tools.kinetic[:] = [0.0, 0.5, 0.5, 0.2, 1.0], [0.0, 0.5, 0.3, 0.1, 0.9]
     tools.loss[:] = [0.0, 0.0, 1.0, 3.0, 0.0]
     tools.viscosity[:] = [0.0, 1e4, 0.0, 1e5, 1e4]
+    tools.snap[:], tools.snap_range[:] = [0.0, 0.3, 0.0, 1.0, 0.3], 0.3 * tools.radius
+    copy.surface = rough(copy)
     tools.axis[4, :3] = [0.008, 0.0, 0.004]
     tools.place[:, :2] = rng.uniform(0.3, 2.7, (5, 2)) * SPACING
     tools.place[:, 2] = TOP + 0.016
@@ -65,6 +67,15 @@ def test_the_balance_is_exact_however_early_the_solver_stops(cap: int) -> None:
     assert copy.residual <= 1e-14 * copy.in_play
 
 
+def rough(copy: Pressed) -> Surface:
+    """The skin with a relief of 0.5 mm."""
+    skin = copy.surface
+    waves = relief_on(
+        skin.rest[:, :3], skin.corner, lambda at, _: 5e-4 * np.sin(500.0 * at[:, 0]) ** 2, spacing=1e-3, most=10**5
+    )
+    return skin._replace(relief=waves)
+
+
 def of_kind(kind: str) -> Pressed:
     body = block(shape=(3, 3, 3))  # all matrices commute: there is a modal basis
     if kind == "truncated":
@@ -83,6 +94,8 @@ def test_balances_whatever_the_tools_do(kind: str, cap: int, driven: bool) -> No
     tools.stiffness[:] = 10.0 ** rng.uniform(2.5, 5.5, 3)
     tools.loss[:] = [0.0, 0.5, 0.0]
     tools.friction[:] = tools.kinetic[:] = [0.0, 0.5, 0.5]
+    tools.snap[:], tools.snap_range[:] = [0.0, 0.0, 0.5], 0.2 * tools.radius
+    copy.surface = rough(copy) if cap == 1 else copy.surface
     tools.grip_stiffness[:], tools.grip_damping[:] = 10.0 ** rng.uniform(2, 4), 0.2
     tools.place[:, :3] = rng.uniform(0, 1.2, (3, 3)) * TOP
     tools.rate[:, :3] = 0.3 * rng.normal(size=(3, 3))
@@ -241,6 +254,9 @@ def test_nothing_passes(speed: float, who: str) -> None:
     copy.tools.radius[:] = 0.0005
     copy.tools.place[0, :3] = [0.025, 0.031, TOP + 0.0012]
     copy.tools.mass[:] = 0.005  # a heavy one drives the top through the bottom
+    if speed == 3.0:  # drawn through it, or lifted by a relief that is as high as it is allowed
+        copy.tools.snap[:], copy.tools.snap_range[:] = 5.0, 0.0005
+        copy.surface = copy.surface._replace(relief=rough(copy).relief)
     if who == "tool":
         copy.tools.rate[0, 2] = -speed
     else:

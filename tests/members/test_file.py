@@ -103,6 +103,11 @@ def test_the_digest_tells_another_mesh(tmp_path: Path) -> None:
             ScenarioError,
             'channel.codec is given, but synchronisation.mode is "constant"',
         ),
+        (
+            SLOTS + "[contact]\ntexture = {file = 'a.png', size = [1, 1], height = 1e-4}\n",
+            ScenarioError,
+            "give heights",
+        ),
         ('[network]\nusers = ["a"]\n', NetworkError, "spring"),
         ("x = ", SessionError, "is not TOML"),
     ],

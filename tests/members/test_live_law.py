@@ -436,6 +436,28 @@ def test_whatever_is_heard_a_neighbour_pushes_no_harder_than_the_limit(law: str)
         assert 0.9 * limit < hardest <= limit * (1.0 + 1e-9)
 
 
+@pytest.mark.parametrize("law", LIVE)
+def test_whatever_is_heard_a_push_is_a_number(law: str) -> None:
+    """Numbers that nobody honest says, in a sample that stays the newest: T < 0, and no time passes at its end."""
+    live = SharedModel.build(SessionFile.from_toml(text(f'"{law}"'))).law
+    assert live is not None
+    x, push, target = (np.zeros((1, live.size)) for _ in range(3))
+    for said in (-1.0, 0.0, 1e12, -1e12):
+        end = live.link(
+            FreshestLink(_told(live, np.random.default_rng(4), 0)), live.memory(), slot=0, other=1, copies=2
+        )
+        end.attach(spring=50.0, place=(0, 1), weight=np.ones(1), target=target, push=push)
+        T = 2.0**-8  # so that ages and times are exact
+        for n in range(1, 40):
+            told = _told(live, np.random.default_rng(n // 4), n // 4)
+            assert told.message is not None
+            told.message[1][:] = np.where(told.message[1] == 1e3 * (n // 4), told.message[1], said)
+            gains = end.before(told, 2.0**-5 + (n % 4) * T, T, x, 0.0 * x)
+            assert np.isfinite([*gains, end.force]).all()
+            end.after(0.0 * x)
+            assert all(np.isfinite(part).all() for part in end.message)
+
+
 def _told(live: LiveLaw, rng: np.random.Generator, n: int) -> Sample:
     """A lie of great energies, fields and places."""
     fields = np.zeros((len(live.law.sends), live.size))

@@ -343,7 +343,7 @@ def entry(slot: int, name: str, who: Identity) -> Entry:
 
 
 MEMBERS = [entry(0, "Ann", ANN), entry(1, "Ben", BEN), entry(2, "Cleo", CLEO)]
-BOUND = [NameOwner(name=one.name, key=one.key) for one in MEMBERS]
+BOUND = [NameOwner(name=one.name, key=one.key, slots=(one.slot,)) for one in MEMBERS]
 ROOT = Roster(epoch=5, members=MEMBERS, names=BOUND)
 
 

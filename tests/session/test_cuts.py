@@ -3,16 +3,17 @@
 import base64
 from dataclasses import replace
 from pathlib import Path
+from typing import ClassVar
 
 import numpy as np
 import pytest
-from tests.session.world import Person, World
+from tests.session.world import Person, World, entropy
 
-from cotouch.members import write
-from cotouch.members._messages import read
-from cotouch.members._shared_cuts import TOPIC, Statement
+from cotouch.members import Entry, Roster, SessionFile, SharedModel, write
+from cotouch.members._messages import NameOwner, read
+from cotouch.members._shared_cuts import TOPIC, SharedCuts, Statement
 from cotouch.recording import audit, read_recording
-from cotouch.samples import PathLaw
+from cotouch.samples import Identity, PathLaw
 
 SESSION = """
 [session]
@@ -146,6 +147,89 @@ class TestLies:
         assert np.all(cuts_of(ben) > 0)
         world.check()
         assert world.apart() < 0.05
+
+
+# -- without a session -------------------------------------------------------------------------------------------------
+
+
+class Said:
+    """A control plane that keeps what is said, for one key."""
+
+    def __init__(self, seed: int) -> None:
+        self.identity = Identity.make(entropy(seed))
+        self.bodies: list[bytes] = []
+
+    def send(self, topic: str, body: bytes) -> None:
+        assert topic == TOPIC
+        self.bodies.append(body)
+
+
+class Copied:
+    """A copy that takes what it is told."""
+
+    def __init__(self, size: int) -> None:
+        self.cuts = self
+        self.own, self.told, self.tears = np.zeros(size, dtype=np.bool_), np.zeros(size, dtype=np.int32), False
+
+    def hear(self, by: np.ndarray) -> None:
+        self.told = np.where(by != 0, by, self.told)
+
+
+class TestStatements:
+    replica = SharedModel.build(SessionFile.from_toml(SESSION))
+    key: ClassVar = {name: Said(seed).identity.public.hex() for seed, name in enumerate(("Ann", "Ben", "Cleo"))}
+
+    def roster(self, *, here: dict[str, int], had: dict[str, tuple[int, ...]]) -> Roster:
+        members = [Entry(slot=slot, name=name, key=self.key[name]) for name, slot in here.items()]
+        return Roster(members=members, names=[NameOwner(name=n, key=self.key[n], slots=s) for n, s in had.items()])
+
+    def shared(self, seed: int, slot: int) -> tuple[SharedCuts, Said]:
+        said = Said(seed)
+        return SharedCuts(said, self.replica, b"session", slot), said  # pyright: ignore[reportArgumentType]
+
+    def statement(self, seed: int, slot: int, first: int, last: int) -> bytes:
+        shared, _ = self.shared(seed, slot)
+        cut = np.zeros(shared._size, dtype=np.bool_)
+        cut[first:last] = True
+        return shared._signed(cut)
+
+    def believed(self, shared: SharedCuts, now: float) -> int:
+        copied = Copied(shared._size)
+        shared.service(copied, now, coupled=True)  # pyright: ignore[reportArgumentType]
+        return int(np.count_nonzero(copied.told))
+
+    def test_who_has_left_cut_only_where_it_was(self) -> None:
+        """Ben, whom the session does not let cut, leaves, and says by a friend that he was Cleo's predecessor."""
+        shared, _ = self.shared(0, 0)
+        roster = self.roster(here={"Ann": 0, "Cleo": 2}, had={"Ann": (0,), "Ben": (1,), "Cleo": (2,)})
+        for slot in (0, 1, 2, 3):
+            shared.receive(2, self.statement(1, slot, 0, 60), roster, 1.0)
+        assert self.believed(shared, 1.0) == 0
+        assert shared.refused == 4
+        shared.receive(2, self.statement(2, 2, 0, 20), roster, 1.0)
+        assert self.believed(shared, 1.0) == 20
+
+    def test_who_was_in_two_slots_is_believed_no_faster(self) -> None:
+        shared, _ = self.shared(1, 1)
+        roster = self.roster(here={"Ben": 1}, had={"Ben": (1,), "Cleo": (0, 2)})
+        most, size = max(64, shared._size // 4), shared._size
+        shared.receive(1, self.statement(2, 0, 0, size // 2), roster, 1.0)
+        shared.receive(1, self.statement(2, 2, size // 2, size), roster, 1.0)
+        assert size // 2 > 64
+        assert self.believed(shared, 1.0) == most
+
+    def test_who_is_started_again_learns_what_it_cut_before_and_says_it_with_the_rest(self) -> None:
+        again, said = self.shared(0, 0)
+        roster = self.roster(here={"Ann": 0, "Ben": 1}, had={"Ann": (0,), "Ben": (1,)})
+        again.receive(1, self.statement(0, 0, 0, 10), roster, 1.0)
+        copied = Copied(again._size)
+        again.service(copied, 1.0, coupled=True)  # pyright: ignore[reportArgumentType]
+        assert np.array_equal(np.flatnonzero(copied.told), np.arange(10))
+        copied.own[20:30] = True
+        again.service(copied, 2.0, coupled=True)  # pyright: ignore[reportArgumentType]
+        newest = read(Statement, said.bodies[-1])
+        assert newest is not None
+        assert np.array_equal(np.flatnonzero(again._elements(newest.elements)), [*range(10), *range(20, 30)])
 
 
 def test_an_audit_works_the_energy_out_anew(world: World) -> None:

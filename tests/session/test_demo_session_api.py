@@ -30,6 +30,7 @@ from cotouch.observers import (
 )
 from cotouch.recording import audit, read_recording
 from cotouch.session import DemoSessionApi, demo_session, member_session_api, play
+from cotouch.session._demo_session_api import file_name
 
 # What any wait is bounded by; what is waited for takes a tenth of it [s].
 _PATIENCE = 60.0
@@ -439,3 +440,12 @@ def test_damping_is_offered_only_where_it_keeps_links_safe(law: str, lowered: bo
         api = DemoSessionApi(session, opened, SharedModel.build(session), mailboxes)
         assert ("damping" in api.scene.may) == lowered
         api.close()
+
+
+def test_a_name_leads_no_recording_out_of_its_folder() -> None:
+    """Names come from the session's file, which may be somebody else's."""
+    for name in ("../../x", "/etc/x", "a\\b", "..", "Zoë 2", "100%"):
+        assert Path("rec", file_name(name, 0)).parent == Path("rec")
+    assert file_name("Zoë B", 0) == "Zoë B.mcap"
+    assert len({file_name(name, 0) for name in ("a/b", "a%2Fb", "a:b")}) == 3
+    assert file_name("Ann", 1) == "Ann 2.mcap"

@@ -230,6 +230,8 @@ ground_stiffness = 80.0
 rate = 250
 [contact]
 law = "stiffening"
+snap = {force = 0.2, range = 0.002}
+texture = {heights = [[0, 0.0002], [0.0005, 0.0001]], size = [0.02, 0.02], projection = "z"}
 [[tools]]
 user = 1
 at = [0.06, 0.03, 0.08]

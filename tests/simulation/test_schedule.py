@@ -104,6 +104,19 @@ def test_self_pacing_follows_real_time_over_a_jittery_lossy_channel() -> None:
     assert timing.length.max() > 0.01
 
 
+def test_a_run_of_random_steps_lasts_as_long_as_was_asked_for() -> None:
+    """Self-paced users wait for samples alone; they took only as many steps as if all waited: 1.58 s of 2 s."""
+    for mode in ("freshest", "constant", "self-paced"):
+        timing = schedule(
+            scenario(
+                synchronisation={"mode": mode}, steps={"duration": 2.0, "random": {"low": 1e-3, "high": 1e-2}}, seed=3
+            )
+        )
+        last = np.array([row[n - 1] for row, n in zip(timing.end, timing.count, strict=True)])
+        assert (last > 2.0 - 0.02).all()
+        assert (last <= 2.0 + 1e-9).all()
+
+
 def test_constant_mode_covers_every_sample_unless_told_otherwise() -> None:
     tables = {"steps": {"duration": 5.0, "period": 0.01}, "channel": {"jitter": {"scale": 0.05}, "loss": 0.05}}
     everything = schedule(scenario(synchronisation={"mode": "constant"}, **tables))

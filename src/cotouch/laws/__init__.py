@@ -1,5 +1,8 @@
 """Link laws: what one end of a link does in a step. One file for each; a new one needs a file and `register`."""
 
+# Without it, the first call of a `Part` in a process fails.
+import numba.experimental.function_type  # noqa: F401  # pyright: ignore[reportUnusedImport, reportMissingTypeStubs]
+
 from cotouch.laws._end import END_WORDS, End, Part, brake, call, copy, feel, given_power, hand, handed, square
 from cotouch.laws._law import FORCE, Facts, Law, Linear, Parameter, Tone, law_named, laws, register
 from cotouch.laws._once import ONCE

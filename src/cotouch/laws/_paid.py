@@ -148,7 +148,8 @@ def _before(end: End) -> None:
         mean = max(kept[_AGE], p[_FLOOR], 2.0 * T)
         stale = 3.0 * mean + 0.05
         trust = min(max((1.6 - end.age / stale) / 0.6, 0.0), 1.0)
-        ahead = max(end.age - 0.25 * kept[_AGE] - 0.5 * told[_M_T], 0.0)
+        theirs = max(told[_M_T], 0.0)  # length of the neighbour's steps, unless it lies
+        ahead = max(end.age - 0.25 * kept[_AGE] - 0.5 * theirs, 0.0)
         lag = max(0.005, 0.5 * mean)
         fresh = kept[_KNOWN] != told[_M_EPOCH]
         kept[_KNOWN] = told[_M_EPOCH]
@@ -163,7 +164,7 @@ def _before(end: End) -> None:
         if fresh:
             kept[_STAMP], kept[_SPAN] = when, 0.0
         passed = when - kept[_STAMP]
-        if fresh or passed > 0.25 * told[_M_T]:
+        if fresh or passed > 0.25 * theirs:
             kept[_STAMP] = when
             kept[_SPAN] += passed
             share = min(passed / min(kept[_SPAN], _SMOOTH), 1.0) if passed > 0.0 else 0.0

@@ -4,9 +4,10 @@ from cotouch.mechanics._closed import CLOSURE_ALARM, closed_settle, closed_step,
 from cotouch.mechanics._contact_foundation import Foundation
 from cotouch.mechanics._contact_law import CONTACT_LAWS, press
 from cotouch.mechanics._contact_parts import contact_parts
-from cotouch.mechanics._contact_patch import press_skin
+from cotouch.mechanics._contact_relief import Relief, relief_on
 from cotouch.mechanics._contact_step import contact_step
 from cotouch.mechanics._contact_stiffening import Stiffening
+from cotouch.mechanics._contact_still import press_skin
 from cotouch.mechanics._contact_work import Contact, contact_by
 from cotouch.mechanics._coupling import (
     checked_virtual_coupling,
@@ -158,6 +159,7 @@ __all__ = [
     "Plane",
     "Plate",
     "Ports",
+    "Relief",
     "Shape",
     "State",
     "Stiffening",
@@ -219,6 +221,7 @@ __all__ = [
     "press_skin",
     "put",
     "register_coupling",
+    "relief_on",
     "rescaled",
     "resist",
     "rest_fraction",

@@ -24,6 +24,7 @@ from cotouch.mechanics._balance import (
 )
 from cotouch.mechanics._balance_parts import close_all
 from cotouch.mechanics._contact_press import press_tool, rub
+from cotouch.mechanics._contact_snap import draw_tool
 from cotouch.mechanics._contact_sweep import first_crossing
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._force import BodyForce
@@ -125,7 +126,7 @@ def balanced(
             inflow += abs(touch.mean[p, a] * touch.drive[p, a])
             slope -= T * touch.inertia[p] * touch.mean[p, a] * touch.mean[p, a]
             spare += _LEFT * T * abs(touch.mean[p, a] * touch.pull[p, a])
-        touches = touches or touch.total[p] > 0.0 or tools.mode[t] == GRASP
+        touches = touches or touch.total[p] > 0.0 or touch.well[p] != 0.0 or tools.mode[t] == GRASP
     aim = 0.5 * spare if force is None else 0.0
     if force is not None:
         keep_place(state, work, lanes)
@@ -258,15 +259,18 @@ def _over(
         for a in range(3):
             rate = scale * touch.mean[p, a]
             over += T * rate * (touch.drive[p, a] - touch.inertia[p] * rate)
-        gone = 0.0
+        gone, size = 0.0, 0.0
         if tools.mode[t] == TOUCH and tools.inside[t] == 0:
             touch.stored[p] = press_tool(law, surface, touch, tools, t, scale * T, 0.0)
             rubbed, gone, _ = rub(touch, tools, t, scale * T, T)
+            if tools.snaps[t] != 0:
+                touch.well[p], size = draw_tool(surface, touch, tools, t, scale * T, 0.0)
+                rubbed += touch.well[p]
             touch.stored[p] += rubbed
         elif tools.mode[t] == GRASP:
             touch.stored[p], gone = hold_energy(touch, tools, t, scale * T, T)
             stored += tools.grip_stiffness[t] * touch.held[p, 0]
-        over -= touch.stored[p] - tools.stored[t] + gone
+        over -= touch.stored[p] - tools.owed[t] - tools.stored[t] + gone
         lost += gone
-        stored += abs(touch.stored[p]) + abs(tools.stored[t])
+        stored += abs(touch.stored[p]) + abs(tools.stored[t]) + 2.0 * size
     return over, _ROUNDING * (T * scale * inflow + stored), lost

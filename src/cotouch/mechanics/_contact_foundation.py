@@ -24,6 +24,17 @@ class Foundation(NamedTuple):
 
 
 @inner
+def stiffness_of(modulus: float, radius: float) -> float:
+    """The `stiffness` with which the foundation of a tool has a modulus κ, without a factor on it [N/m].
+
+    Args:
+        modulus: κ [N/m³].
+        radius: of the ball [m].
+    """
+    return modulus * pi * radius * radius / _SHARE
+
+
+@inner
 def press(law: Foundation, stiffness: float, radius: float, depth: float) -> tuple[float, float, float]:
     """Energy, pressure and slope; see `cotouch.mechanics.CONTACT_LAWS`."""
     modulus = law.hardness * _SHARE * stiffness / (pi * radius * radius)

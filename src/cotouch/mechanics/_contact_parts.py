@@ -11,6 +11,7 @@ from cotouch.arrays import Float
 from cotouch.mechanics._contact_balance import balanced
 from cotouch.mechanics._contact_press import press_tool
 from cotouch.mechanics._contact_skin import look_around
+from cotouch.mechanics._contact_snap import draw_tool
 from cotouch.mechanics._contact_sweep import first_crossing
 from cotouch.mechanics._contact_work import Contact
 from cotouch.mechanics._force import BodyForce
@@ -53,6 +54,7 @@ def contact_parts(
     law, touch, T = by.law, by.work, 1e-3
     return [
         (press_tool, (law, surface, touch, tools, 0, T, T)),
+        (draw_tool, (surface, touch, tools, 0, T, T)),
         (first_crossing, (surface, touch, tools, 0, T)),
         (solve_step, (op, ports, work, T, 1, lanes)),
         (

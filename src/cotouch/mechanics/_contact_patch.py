@@ -11,14 +11,11 @@ import math
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.mechanics._contact_law import press
-from cotouch.mechanics._kernel import block, part
+from cotouch.mechanics._kernel import part
 from cotouch.mechanics._vector import FOUR, load, splat, total, upper
-
-Int = npt.NDArray[np.int32]
 
 
 def _gauss(points: int) -> tuple[tuple[float, ...], tuple[float, ...]]:
@@ -204,70 +201,6 @@ def press_triangle(
         out[corner, 3] += scale * borne
         out[3, corner] += scale * max(l0 * ss + lx * hx + ly * hy, 0.0)
     return scale * covered
-
-
-def press_skin(
-    law: Any,
-    place: Float,
-    corner: Int,
-    middle: Float,
-    *,
-    stiffness: float,
-    radius: float,
-    area: Float | None = None,
-) -> tuple[float, Float]:
-    """What a ball does on a skin that stands still; for tests and figures.
-
-    Args:
-        law: of the contact, one of `CONTACT_LAWS`.
-        place: of the vertices, (V, 3) [m].
-        corner: vertices of each triangle, (F, 3).
-        middle: of the ball, (3,) [m].
-        stiffness: of the tool [N/m].
-        radius: of the ball [m].
-        area: of each triangle at rest, (F,) [m²]; by default as it is now.
-
-    Returns:
-        The energy [J], and the force on each vertex, (V, 3) [N].
-    """
-    padded, force = np.zeros((place.shape[0], 4)), np.zeros((place.shape[0], 4))
-    padded[:, :3] = place
-    faces = np.ascontiguousarray(corner, dtype=np.int32)
-    if area is None:
-        a, b, c = (padded[faces[:, q], :3] for q in range(3))
-        area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    spot, out = np.zeros((4, 4)), np.zeros((4, 4))
-    spot[3, :3] = middle
-    own = np.ascontiguousarray(area, dtype=np.float64)
-    return _press_all(law, float(stiffness), float(radius), padded, faces, own, spot, out, force), force[:, :3]
-
-
-@block
-def _press_all(
-    law: Any,
-    stiffness: float,
-    radius: float,
-    place: Float,
-    corner: Int,
-    area: Float,
-    spot: Float,
-    out: Float,
-    force: Float,
-) -> float:
-    energy = 0.0
-    for f in range(corner.shape[0]):
-        for q in range(3):
-            for a in range(3):
-                spot[q, a] = place[corner[f, q], a]
-        for q in range(4):
-            for a in range(4):
-                out[q, a] = 0.0
-        press_triangle(law, stiffness, radius, area[f], True, spot, out)
-        energy += out[3, 3]
-        for q in range(3):
-            for a in range(4):
-                force[corner[f, q], a] += out[q, a]
-    return energy
 
 
 @part

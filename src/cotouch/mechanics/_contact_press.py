@@ -12,6 +12,8 @@ from typing import Any
 
 from cotouch.mechanics._contact_law import press
 from cotouch.mechanics._contact_patch import press_triangle
+from cotouch.mechanics._contact_relief import press_relief
+from cotouch.mechanics._contact_snap import draw_tool
 from cotouch.mechanics._contact_sweep import bead_place, beads
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import part
@@ -75,7 +77,7 @@ def _sum(
     p, corner, soft = t - tools.first, surface.corner, surface.soft
     near, place, rate, spot, out, mean = work.near, work.fit.place, work.rate, work.spot, work.out, work.mean
     faces, energy, stiffness, radius = near.shape[1], 0.0, tools.stiffness[t], tools.radius[t]
-    lacking = 0.0
+    lacking, reach = 0.0, radius + surface.relief.top
     for bead in range(beads(tools, t)):
         along = bead_place(tools, t, bead)
         for a in range(3):
@@ -92,12 +94,15 @@ def _sum(
                 low, high = lower(low, moved), upper(high, moved)
             gap = upper(upper(low - middle, middle - high), splat(0.0, FOUR))
             apart = total(gap * gap)
-            if apart >= radius * radius:
+            if apart >= reach * reach:
                 continue
             for q in range(4):
                 store(out, q, splat(0.0, FOUR), FOUR)
             area = tools.share[t] * surface.area[f]
-            covered = press_triangle(law, stiffness, radius, area, share != 0.0 or soft.shape[0] > 0, spot, out)
+            forces = share != 0.0 or soft.shape[0] > 0
+            covered = press_triangle(law, stiffness, radius, area, forces, spot, out)
+            if surface.relief.top > 0.0:
+                covered += press_relief(law, stiffness, radius, area, forces, surface.relief, f, spot, out)
             if not covered > 0.0:
                 continue
             energy += out[3, 3]
@@ -212,6 +217,22 @@ def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: in
     else:
         press_tool(law, surface, work, tools, t, (0.5 - half) * T, 0.5)
         press_tool(law, surface, work, tools, t, (0.5 + half) * T, 0.5)
+    _resist(surface, work, tools, t, T)
+    work.well[p] = 0.0
+    if tools.snaps[t] == 0:
+        return
+    if work.slow[p] != 0:
+        work.well[p], _ = draw_tool(surface, work, tools, t, 0.5 * T, 1.0)
+    else:
+        early, _ = draw_tool(surface, work, tools, t, (0.5 - half) * T, 0.5)
+        late, _ = draw_tool(surface, work, tools, t, (0.5 + half) * T, 0.5)
+        work.well[p] = 0.5 * (early + late)
+
+
+@part
+def _resist(surface: Surface, work: ContactWork, tools: Tools, t: int, T: float) -> None:
+    """Adds friction, film and damping to the pressure that was gathered, and notes along what it acts."""
+    p, faces = t - tools.first, work.near.shape[1]
     read_skin(surface, work, p)
     size = 0.0
     for a in range(3):

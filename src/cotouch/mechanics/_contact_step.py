@@ -15,6 +15,7 @@ from cotouch.mechanics._contact_catch import begin_catch, catch
 from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_rows, tell
 from cotouch.mechanics._contact_press import feel_tool, press_tool
 from cotouch.mechanics._contact_skin import fastest, load_rows, look_around, read_rates
+from cotouch.mechanics._contact_snap import begin_snap, end_snap, owed_drag
 from cotouch.mechanics._contact_solve import lacking, solve_touched
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import Contact, ContactWork
@@ -23,11 +24,11 @@ from cotouch.mechanics._force_memory import looks_ahead
 from cotouch.mechanics._grasp import feel_grasp, take
 from cotouch.mechanics._kernel import block, part
 from cotouch.mechanics._operator import Operator
-from cotouch.mechanics._proxy import book_drive, move_proxy, pay_cut, proxy_drive, proxy_inertia
+from cotouch.mechanics._proxy import book_drive, move_proxy, pay, proxy_drive, proxy_inertia
 from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
 from cotouch.mechanics._step import assemble
 from cotouch.mechanics._surface import Surface, refit
-from cotouch.mechanics._tools import GRASP, TOUCH, TOUCH_LOSS, TOUCH_STORED, Tools
+from cotouch.mechanics._tools import BLADE, GRASP, TOUCH, TOUCH_LOSS, TOUCH_STORED, Tools
 from cotouch.mechanics._vector import load, splat, store
 from cotouch.mechanics._world_force import lean_world, looks_of, take_up
 
@@ -176,9 +177,11 @@ def _drive(tools: Tools, touch: ContactWork, T: float) -> None:
     """What each proxy does without contacts, and the guess that it goes on."""
     for t in range(tools.first, tools.last):
         p = t - tools.first
+        if tools.mode[t] != BLADE:
+            tools.drag[t] = owed_drag(tools, t)
         touch.inertia[p] = proxy_inertia(tools, t, T)
         touch.caught[p, 0], touch.grip[p, 0], touch.grip[p, 1] = 0.0, 0.0, 0.0
-        touch.stored[p], touch.total[p], touch.way[p, 3] = 0.0, 0.0, 0.0
+        touch.stored[p], touch.well[p], touch.total[p], touch.way[p, 3] = 0.0, 0.0, 0.0, 0.0
         touch.slips[p] = 0
         for a in range(3):
             touch.drive[p, a] = proxy_drive(tools, t, a, T)
@@ -208,9 +211,11 @@ def _begin(
         touch.number[p], tools.touching[t] = 0, 0
         acts = mode in (TOUCH, GRASP)
         acting = acting or acts
+        if mode != TOUCH:
+            end_snap(tools, t)
         if not acts or (mode == GRASP) != (tools.held[t] >= 0):  # what it held before goes
-            touch_ledger[TOUCH_LOSS] += tools.stored[t]
-            tools.stored[t], tools.held[t] = 0.0, -1
+            touch_ledger[TOUCH_LOSS] += tools.stored[t] + tools.owed[t]
+            tools.stored[t], tools.held[t] = -tools.owed[t], -1
         if mode != TOUCH:
             tools.inside[t], tools.slipping[t] = 1, 0
             for a in range(3):
@@ -223,10 +228,12 @@ def _begin(
         p = t - tools.first
         if tools.mode[t] == TOUCH:
             way = T * (touch.quick[0] + _length(tools.rate, t))
-            touch.seen[p] = tools.radius[t] * (1.0 + _MARGIN) + _length(tools.axis, t) + _WAYS * way
-            touch.slow[p] = way < _SLOW * tools.radius[t]
+            finest = min(tools.radius[t], tools.snap_range[t]) if tools.snap[t] > 0.0 else tools.radius[t]
+            touch.seen[p] = _reach(surface, tools, t) * (1.0 + _MARGIN) + _length(tools.axis, t) + _WAYS * way
+            touch.slow[p] = way < _SLOW * finest
             look_around(surface, touch, tools, t, touch.seen[p], state.position, lanes)
             _begin_tool(law, surface, touch, tools, t)
+            begin_snap(surface, touch, tools, t)
         elif tools.mode[t] == GRASP and tools.held[t] < 0:
             take(surface, touch.fit, tools, t, state.position, lanes)
     return True
@@ -245,9 +252,15 @@ def _begin_tool(law: Any, surface: Surface, touch: ContactWork, tools: Tools, t:
         square = 0.0
         for a in range(3):
             square += tools.stretch[t, a] * tools.stretch[t, a]
-        have = max(tools.stored[t] - 0.5 * tools.stiffness[t] * square, 0.0)
+        have = max(tools.stored[t] + tools.owed[t] - tools.well[t] - 0.5 * tools.stiffness[t] * square, 0.0)
         if pressed > have:
             tools.share[t] *= have / pressed
+
+
+@part
+def _reach(surface: Surface, tools: Tools, t: int) -> float:
+    """How far from the middle of one of its balls the skin may act on a tool [m]."""
+    return tools.radius[t] + max(surface.relief.top, tools.snap_range[t])
 
 
 @part
@@ -268,7 +281,7 @@ def _follow(
 ) -> None:
     """Reads how fast the skin near one tool moves by the present guess; what it may come to is near, too."""
     p = t - tools.first
-    travel = tools.radius[t] + _length(tools.axis, t) + 1.25 * T * (touch.quick[0] + _length(touch.mean, p))
+    travel = _reach(surface, tools, t) + _length(tools.axis, t) + 1.25 * T * (touch.quick[0] + _length(touch.mean, p))
     if travel > touch.seen[p]:  # faster than it was thought to be
         touch.seen[p] = 1.5 * travel
         look_around(surface, touch, tools, t, touch.seen[p], state.position, lanes)
@@ -341,16 +354,20 @@ def _settle(touch: ContactWork, tools: Tools, T: float, sigma: float, touch_ledg
     """New places, velocities and energies of the proxies, and the forces on them."""
     for t in range(tools.first, tools.last):
         p = t - tools.first
+        acted = touch.total[p] != 0.0 or touch.caught[p, 0] != 0.0 or tools.held[t] >= 0 or touch.well[p] != 0.0
         for a in range(3):
             w = sigma * touch.mean[p, a]
             tools.touch_force[t, a] = touch.inertia[p] * w - touch.drive[p, a]
-            if touch.total[p] == 0.0 and touch.caught[p, 0] == 0.0 and tools.held[t] < 0 and sigma == 1.0:
+            if not acted and sigma == 1.0:
                 tools.touch_force[t, a] = 0.0
-            pay_cut(tools, t, a, T, w, touch_ledger)
+            pay(tools, t, a, T, w, touch_ledger)
             book_drive(tools, t, a, T, w, touch_ledger)
             move_proxy(tools, t, a, T, w, touch_ledger)
             tools.stretch[t, a] = touch.rubbed[p, a] if tools.mode[t] == TOUCH else 0.0
         tools.slipping[t] = touch.slips[p]
         tools.touching[t] = 1 if touch.total[p] > 0.0 or touch.caught[p, 0] != 0.0 else max(tools.held[t], 0)
-        tools.stored[t] = touch.stored[p]
-        touch_ledger[TOUCH_STORED] += touch.stored[p]
+        if tools.owed[t] < 0.0:  # it paid more
+            touch_ledger[TOUCH_LOSS] -= tools.owed[t]
+            tools.owed[t] = 0.0
+        tools.stored[t], tools.well[t] = touch.stored[p] - tools.owed[t], touch.well[p]
+        touch_ledger[TOUCH_STORED] += tools.stored[t]

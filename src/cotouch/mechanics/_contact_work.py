@@ -52,6 +52,7 @@ class ContactWork(NamedTuple):
             axis, (3,).
         spot: corners and middle, (4, 4) [m].
         out: of one triangle, (4, 4).
+        drawn: of one that draws a tool, (4, 4).
         mean: mean velocity of the tools, (tools, 4) [m/s].
         drive: of the tools without contact, (tools, 4) [N].
         inertia: likewise, (tools,) [Ns/m].
@@ -67,7 +68,8 @@ class ContactWork(NamedTuple):
         aside: unit vector that a caught tool is held along, (tools, 4).
         rubbed: stretch of friction at the end, (tools, 4) [m].
         slips: whether it slips then, (tools,).
-        stored: energy in contact and friction, or in a grasp, then, (tools,) [J].
+        stored: energy in contact and friction, or in a grasp, then, and what draws the tool, (tools,) [J].
+        well: energy in what draws it, by the last look or then; 0: nothing does, (tools,) [J].
         slow: whether a tool and the skin go so little in a step that their mean force is that in the middle, (tools,).
         seen: how far each tool looked around, (tools,) [m].
     """
@@ -104,6 +106,7 @@ class ContactWork(NamedTuple):
     yields: Float
     spot: Float
     out: Float
+    drawn: Float
     mean: Float
     drive: Float
     inertia: Float
@@ -118,6 +121,7 @@ class ContactWork(NamedTuple):
     rubbed: Float
     slips: Int
     stored: Float
+    well: Float
     slow: Int
     seen: Float
 
@@ -179,6 +183,7 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         yields=np.zeros(3),
         spot=np.zeros((4, 4)),
         out=np.zeros((4, 4)),
+        drawn=np.zeros((4, 4)),
         mean=row(),
         drive=row(),
         inertia=np.zeros(tools),
@@ -193,6 +198,7 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         rubbed=row(),
         slips=np.zeros(tools, dtype=np.int32),
         stored=np.zeros(tools),
+        well=np.zeros(tools),
         slow=np.zeros(tools, dtype=np.int32),
         seen=np.zeros(tools),
     )

@@ -3,9 +3,9 @@
 
 from cotouch.arrays import Float
 from cotouch.mechanics._kernel import part
-from cotouch.mechanics._tools import DRIVE, PROXY, TOUCH_LOSS, Tools
+from cotouch.mechanics._tools import BLADE, DRIVE, PROXY, TOUCH_LOSS, Tools
 
-# What is cut stops a blade within a step at most, and does not throw it back: so many times its mass over T at most.
+# What a tool pays stops it within a step at most, and does not throw it back: so many times its mass over T at most.
 _FIRM = 20.0
 
 
@@ -22,12 +22,15 @@ def _drag(tools: Tools, t: int, T: float) -> float:
 
 
 @part
-def pay_cut(tools: Tools, t: int, a: int, T: float, w: float, touch_ledger: Float) -> None:
-    """What the motion of a blade along an axis pays for what it cut: lost, and a force on it."""
+def pay(tools: Tools, t: int, a: int, T: float, w: float, touch_ledger: Float) -> None:
+    """What the motion of a tool along an axis pays: of a blade for what it cut, which is lost, else what it owes."""
     drag = _drag(tools, t, T)
     tools.touch_force[t, a] -= drag * w
-    tools.debt[t] -= T * drag * w * w
-    touch_ledger[TOUCH_LOSS] += T * drag * w * w
+    if tools.mode[t] == BLADE:
+        tools.debt[t] -= T * drag * w * w
+        touch_ledger[TOUCH_LOSS] += T * drag * w * w
+    else:
+        tools.owed[t] -= T * drag * w * w
 
 
 @part

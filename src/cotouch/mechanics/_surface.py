@@ -16,6 +16,7 @@ import scipy.sparse as sp
 from cotouch.arrays import Float
 from cotouch.body import Body, cut_skin
 from cotouch.errors import BodyError
+from cotouch.mechanics._contact_relief import Relief, bare
 from cotouch.mechanics._kernel import block
 from cotouch.mechanics._model import Model
 from cotouch.mechanics._vector import FOUR, at, load, lower, splat, store, upper
@@ -48,6 +49,7 @@ class Surface(NamedTuple):
         soft: what a truncated body lacks in static compliance at a corner of each triangle, and between two of its
             corners, (F, 2), else (0, 2) [m/N].
         swing: how many times as fast as the fastest row a vertex can be; 1 where weights are none below 0.
+        relief: heights on it.
     """
 
     rest: Float
@@ -66,6 +68,7 @@ class Surface(NamedTuple):
     hold_row: Int
     soft: Float
     swing: float
+    relief: Relief
 
 
 class Fit(NamedTuple):
@@ -134,6 +137,7 @@ def surface_of(model: Model) -> Surface:
         hold_row=hold_row,
         soft=_softness(model, rest, corner) if body.truncation is not None else np.zeros((0, 2)),
         swing=float(np.abs(weights).sum(axis=1).max()) if body.rigid else 1.0,
+        relief=bare(),
     )
 
 

@@ -36,6 +36,12 @@ class Tools(NamedTuple):
         friction: Coulomb's coefficient of what does not slip, (tools,).
         kinetic: the same of what slips, (tools,).
         viscosity: of the film on the skin: drag on each of its area, of each speed along it, (tools,) [Ns/m³].
+        snap: pull-off force with which a flat draws a tool that is near; 0: it does not, (tools,) [N].
+        snap_range: how far from the tool the skin draws it, (tools,) [m].
+        snaps: whether it does: since it was out of this range, (tools,).
+        well: energy in that, at most 0, (tools,) [J].
+        owed: what it would have taken to pull it off when it was taken away, less what it paid of that since; it is
+            not drawn before it paid all, (tools,) [J].
         axis: from the middle of a stylus to the middle of its tip, (tools, 4); 0 of a ball; of a blade its edge [m].
         stretch: of the spring of friction, (tools, 4) [m].
         slipping: whether it slipped in the last step, (tools,).
@@ -51,7 +57,8 @@ class Tools(NamedTuple):
         push: explicit mean force, (tools, 4) [N].
         place: y, (tools, 4) [m].
         rate: w, (tools, 4) [m/s].
-        stored: energy in the contact of each tool and its friction, or in the springs of its grasp, (tools,) [J].
+        stored: energy in the contact of each tool and its friction, or in the springs of its grasp, and what draws it
+            to the skin, less what it owes, (tools,) [J].
         inside: 1: it has not been out of the skin yet, and does not touch, (tools,).
         held: how many nodes it holds; -1: it does not hold, (tools,).
         hold: which, (tools, MOST_HELD).
@@ -60,7 +67,7 @@ class Tools(NamedTuple):
         touch_force: result: mean force of contact or grasp on the proxy, (tools, 4) [N].
         touching: result: 1 if the skin pushed, or how many nodes are held, (tools,).
         debt: of a blade: what it still has to pay for what it cut, (tools,) [J].
-        drag: of a blade: how much what it cuts resists its motion in this step, (tools,) [Ns/m].
+        drag: how much what it cuts, or owes, resists its motion in this step, (tools,) [Ns/m].
     """
 
     first: int
@@ -72,6 +79,11 @@ class Tools(NamedTuple):
     friction: Float
     kinetic: Float
     viscosity: Float
+    snap: Float
+    snap_range: Float
+    snaps: Int
+    well: Float
+    owed: Float
     axis: Float
     stretch: Float
     slipping: Int
@@ -112,6 +124,11 @@ def tools(count: int) -> Tools:
         friction=line(),
         kinetic=line(),
         viscosity=line(),
+        snap=line(),
+        snap_range=line(),
+        snaps=whole(),
+        well=line(),
+        owed=line(),
         axis=row(),
         stretch=row(),
         slipping=whole(),

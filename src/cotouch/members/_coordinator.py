@@ -304,14 +304,16 @@ class Coordinator:
         before = self.roster
         if before.epoch + by >= LAST_EPOCH:  # nobody makes so many changes, and nobody is believed who says so
             return
-        kept = list(before.names if names is None else names)
-        known = {bound.name for bound in kept}
-        kept += [NameOwner(name=entry.name, key=entry.key) for entry in members if entry.name not in known]
+        kept = {bound.name: bound for bound in (before.names if names is None else names)}
+        for entry in members:
+            had = kept[entry.name].slots if entry.name in kept else ()
+            slots = tuple(sorted({*had, entry.slot}))
+            kept[entry.name] = NameOwner(name=entry.name, key=entry.key, slots=slots)
         self.roster = Roster(
             epoch=before.epoch + by,
             members=members,
             links=links,
-            names=kept,
+            names=list(kept.values()),
             banned=before.banned if banned is None else banned,
         )
         self._said = -float("inf")

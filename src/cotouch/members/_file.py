@@ -333,5 +333,9 @@ def _live(scenario: Scenario, source: str) -> None:
         raise ScenarioError(
             f"{source}: synchronisation.damping_scale is {sync.damping_scale}; below 1 nothing is passive, use 1"
         )
+    if scenario.contact.texture is not None and scenario.contact.texture.file is not None:
+        raise ScenarioError(
+            f"{source}: contact.texture.file is given, but members read no pictures of others; give heights"
+        )
     if scenario.steps.random is not None:
         raise ScenarioError(f"{source}: steps.random is given; live peers keep a period or a rate")

@@ -19,9 +19,10 @@ LAST_EPOCH = 1 << 52
 _LAST_COUNT = 1 << 53
 Slot = Annotated[int, Field(ge=0, lt=MOST_USERS)]  # from 0; people see slot + 1
 Key = Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{64}$")]
-Name = Annotated[str, StringConstraints(min_length=1, max_length=32, pattern=r"^[^\x00-\x1f\x7f]+$")]
-Text = Annotated[str, StringConstraints(max_length=200)]
-Notice = Annotated[str, StringConstraints(max_length=MOST_NOTICE, pattern=r"^[^\x00-\x1f\x7f]*$")]
+# Nothing that is shown steers a terminal.
+Name = Annotated[str, StringConstraints(min_length=1, max_length=32, pattern=r"^[^\x00-\x1f\x7f-\x9f]+$")]
+Text = Annotated[str, StringConstraints(max_length=200, pattern=r"^[^\x00-\x1f\x7f-\x9f]*$")]
+Notice = Annotated[str, StringConstraints(max_length=MOST_NOTICE, pattern=r"^[^\x00-\x1f\x7f-\x9f]*$")]
 Reason = Annotated[str, StringConstraints(max_length=100, pattern=r"^[^\x00-\x1f\x7f-\x9f]*$")]
 Number = Annotated[FiniteFloat, Field(ge=-1e12, le=1e12)]
 Start = Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{16}$")]
@@ -99,10 +100,17 @@ class Entry(Table):
 
 @final
 class NameOwner(Table):
-    """A name, and whose it is for the whole session."""
+    """A name, and whose it is for the whole session.
+
+    Attributes:
+        name: that others see.
+        key: public key.
+        slots: that this one ever had; so those who come later know in which slot it cut.
+    """
 
     name: Name
     key: Key
+    slots: Annotated[tuple[Slot, ...], Field(max_length=MOST_USERS)] = ()
 
 
 @final
@@ -149,6 +157,13 @@ class Roster(Table):
     def owners(self) -> dict[str, str]:
         """Whose each name is: the key by the name."""
         return {entry.name: entry.key for entry in (*self.names, *self.members)}
+
+    def slots(self) -> dict[str, set[int]]:
+        """Slots that each key ever had."""
+        found = {bound.key: set(bound.slots) for bound in self.names}
+        for entry in self.members:
+            found.setdefault(entry.key, set()).add(entry.slot)
+        return found
 
     @property
     def digest(self) -> str:

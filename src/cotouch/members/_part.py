@@ -3,9 +3,14 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal, final
+from typing import Any, Final, Literal, final
 
-from cotouch.members._messages import Status
+from pydantic import TypeAdapter, ValidationError
+
+from cotouch.errors import SessionError
+from cotouch.members._messages import Name, Status
+
+_NAME: Final[TypeAdapter[str]] = TypeAdapter(Name)
 
 HandKind = Literal["scripted", "none"]
 
@@ -28,6 +33,9 @@ class Part:
         identities: folder where this member's key is kept, so that it has its name again after a crash; None: nowhere.
         unsafe: whether it may be told to take less damping than passivity needs.
         real_time: whether to ask for real-time priority.
+
+    Raises:
+        SessionError: the name is none that others could see.
     """
 
     name: str
@@ -41,6 +49,14 @@ class Part:
     identities: Path | None = None
     unsafe: bool = False
     real_time: bool = True
+
+    def __post_init__(self) -> None:
+        try:
+            _NAME.validate_python(self.name.strip())
+        except ValidationError:
+            raise SessionError(
+                f"the name is {self.name[:40]!r}; it must be 1 to 32 letters in one line, such as --name Ann"
+            ) from None
 
 
 @final

@@ -58,27 +58,38 @@ class Statement(Table):
 
 
 @final
-class _Author:
-    """What one member has signed, and how much of it is believed so far."""
+class _Trust:
+    """How many elements one member is believed to have cut, in whatever slots it was."""
 
-    def __init__(self, slot: int, size: int) -> None:
+    def __init__(self, size: int) -> None:
+        self._most, self._rate = max(float(_LEAST), _BURST * size), max(_SPEED * size, float(_LEAST))
+        self._left, self._then = self._most, float("inf")
+
+    def take(self, wanted: int, now: float) -> int:
+        """As many of those that are wanted as may be believed now."""
+        self._left = min(self._most, self._left + max(now - self._then, 0.0) * self._rate)
+        self._then = now
+        taken = min(wanted, int(self._left))
+        self._left -= taken
+        return taken
+
+
+@final
+class _Author:
+    """What one member has signed in one slot, and how much of it is believed so far."""
+
+    def __init__(self, slot: int, size: int, trust: "_Trust") -> None:
         self.slot = slot
         self.signed: Bool = np.zeros(size, dtype=np.bool_)
         self.believed: Bool = np.zeros(size, dtype=np.bool_)
-        self.left = max(float(_LEAST), _BURST * size)
-        self.then = -float("inf")
         self.body = b""
+        self._trust = trust
 
     def believe(self, now: float) -> Bool:
         """Takes as much of what was signed as may be believed by now; returns what is new."""
-        size = self.signed.size
-        if self.then > -float("inf"):
-            most = max(float(_LEAST), _BURST * size)
-            self.left = min(most, self.left + max(now - self.then, 0.0) * max(_SPEED * size, _LEAST))
-        self.then = now
-        waiting = np.flatnonzero(self.signed & ~self.believed)[: int(self.left)]
-        self.left -= waiting.size
-        new = np.zeros(size, dtype=np.bool_)
+        waiting = np.flatnonzero(self.signed & ~self.believed)
+        waiting = waiting[: self._trust.take(waiting.size, now)]
+        new = np.zeros(self.signed.size, dtype=np.bool_)
         new[waiting] = True
         self.believed |= new
         return new
@@ -109,6 +120,7 @@ class SharedCuts:
         self._may = replica.scenario.cutting
         self._session = session
         self._authors: dict[tuple[str, int], _Author] = {}
+        self._trusts: dict[str, _Trust] = {}
         self._said, self._since = -float("inf"), float("inf")
         self._own: Bool = np.zeros(self._size, dtype=np.bool_)
         self._body = b""
@@ -140,7 +152,8 @@ class SharedCuts:
             self.refused += 1
             return
         if known is None:
-            known = self._authors[said.author, said.slot] = _Author(said.slot, self._size)
+            trust = self._trusts.setdefault(said.author, _Trust(self._size))
+            known = self._authors[said.author, said.slot] = _Author(said.slot, self._size, trust)
         if np.all(signed | ~known.signed):  # the newer one contains the older
             known.body = body
         known.signed |= signed
@@ -163,19 +176,25 @@ class SharedCuts:
             self._listened = True
         peer.cuts.tears = self._listened
         self._tell_copy(peer.cuts, now)
-        new = bool(np.any(peer.cuts.own & ~self._own))
+        own = peer.cuts.own if self._before is None else peer.cuts.own | self._before.signed
+        new = bool(np.any(own & ~self._own))
         if new and now - self._said >= _SOON:
-            self._own = peer.cuts.own.copy()
+            self._own = own.copy()
             self._body = self._signed(self._own)
         elif now - self._said < _AGAIN:
             return
         self._said = now
         if self._body:
             self._control.send(TOPIC, self._body)
-        told = [author.body for author in self._authors.values() if author.body]
+        told = [author.body for author in self._authors.values() if author.body and author is not self._before]
         if told and not new:  # one who has left tells nobody any more
             self._turn = (self._turn + 1) % len(told)
             self._control.send(TOPIC, told[self._turn])
+
+    @property
+    def _before(self) -> _Author | None:
+        """What this member itself cut before it was started again, as others tell; None: nothing is known of it."""
+        return self._authors.get((self._control.identity.public.hex(), self._slot))
 
     def _tell_copy(self, cuts: CutSet, now: float) -> None:
         for author in self._authors.values():
@@ -184,13 +203,10 @@ class SharedCuts:
                 cuts.hear(np.where(new, np.int32(author.slot + 1), np.int32(0)))
 
     def _credible(self, said: Statement, roster: Roster) -> bool:
-        """Whether the author is somebody who may cut, and no stranger."""
+        """Whether the author had that slot, as the roster says, and whoever has it may cut."""
         if self._may is not None and not self._may.may(said.slot + 1):
             return False
-        if said.author == self._control.identity.public.hex():
-            return False
-        there = roster.of(bytes.fromhex(said.author))
-        return there.slot == said.slot if there is not None else said.author in roster.owners().values()
+        return said.slot in roster.slots().get(said.author, set())
 
     def _elements(self, text: str) -> Bool | None:
         """Which elements are meant; None: they are not of this body."""

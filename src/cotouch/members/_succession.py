@@ -92,6 +92,9 @@ def follows(before: Roster, after: Roster) -> str | None:
         return "only the host sends somebody away, or lets them in again"
     if not before.owners().items() <= after.owners().items():
         return "it forgets whose a name is, or gives it to another"
+    had, has = before.slots(), after.slots()
+    if any(not slots <= has.get(key, set()) for key, slots in had.items()):
+        return "it forgets in which slot somebody was"
     slots = {entry.key: entry.slot for entry in after.members}
     if any(slots.get(entry.key, entry.slot) != entry.slot for entry in before.members):
         return "it moves somebody to another slot"

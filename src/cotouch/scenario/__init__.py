@@ -8,6 +8,7 @@ from cotouch.scenario._messages import sentence
 from cotouch.scenario._penetration import resolve_penetration
 from cotouch.scenario._per_user import per_user
 from cotouch.scenario._scenario import Scenario
+from cotouch.scenario._surface_tables import TextureTable
 from cotouch.scenario._tables import (
     HandTable,
     Mode,
@@ -46,6 +47,7 @@ __all__ = [
     "Scenario",
     "SimulatedDeviceTable",
     "Table",
+    "TextureTable",
     "ToolHand",
     "ToolRecord",
     "ToolTable",

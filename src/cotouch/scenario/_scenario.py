@@ -103,6 +103,7 @@ class Scenario(Table):
     def _one_or_several(self) -> Self:
         if self.bodies and "body" in self.model_fields_set and self.body != PointTable():
             raise ValueError("body and bodies are given; give [body] for one object, or [[bodies]] for several")
+        self.contact.refuse(self.tools)
         return self
 
     @field_validator("network", mode="before")
@@ -143,6 +144,7 @@ class Scenario(Table):
             for part in table.get("bodies", []):
                 _rooted({"body": part}, "body", folder)
             _rooted(table.get("channel"), "trace", folder)
+            _rooted(table.get("contact"), "texture", folder)
         return cls.make(source=source, **table)
 
     @classmethod
@@ -198,10 +200,10 @@ class Scenario(Table):
         return self.synchronisation.law_given or (choose_law(self), {})
 
     def files(self) -> tuple[Path, ...]:
-        """What it reads besides its own file: a mesh, a trace."""
+        """What it reads besides its own file: a mesh, a trace, a texture."""
         bodies = [self.body, *(part.body for part in self.bodies)]
-        tables = (*(body for body in bodies if isinstance(body, FileTable)), self.channel.trace)
-        return tuple(Path(table.file) for table in tables if table is not None)
+        tables = [*(body for body in bodies if isinstance(body, FileTable)), self.channel.trace, self.contact.texture]
+        return tuple(Path(table.file) for table in tables if table is not None and table.file is not None)
 
     def trace(self) -> Trace | None:
         """The measured latencies of its channel, read once; None: it has none.

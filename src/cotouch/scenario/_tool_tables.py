@@ -8,6 +8,7 @@ from pydantic import Discriminator, Field, FiniteFloat, Tag, model_validator
 from cotouch.device import PRESETS, installed_coupling
 from cotouch.errors import DeviceError, ScenarioError
 from cotouch.mechanics import CONTACT_LAWS
+from cotouch.scenario._surface_tables import SnapTable, TextureTable
 from cotouch.scenario._tables import NonNegative, Number, Place, Positive, Table
 
 # Of a device's servo, where neither a scenario nor a product says it [Hz].
@@ -162,11 +163,15 @@ class ContactTable(Table):
         law: whose energy is a function of where body and tools are: "stiffening" or "foundation".
         parameters: of the law, by name.
         viscosity: of a film on the skin: drag on each of the area that a tool covers, of each speed along it [Ns/m³].
+        snap: what draws tools to the skin; by default nothing does.
+        texture: a relief on the skin; by default it is smooth.
     """
 
     law: str = "stiffening"
     parameters: dict[str, FiniteFloat] = Field(default_factory=dict[str, float])
     viscosity: NonNegative = 0.0
+    snap: SnapTable | None = None
+    texture: TextureTable | None = None
 
     def made(self) -> Any:
         """The law for the kernels.
@@ -183,6 +188,20 @@ class ContactTable(Table):
                 has = f"has {', '.join(known)}, each above 0"
                 raise ScenarioError(f'contact.parameters.{name} is {value:g}; law "{self.law}" {has}')
         return kinds[self.law](**self.parameters)
+
+    def refuse(self, tools: "list[ToolTable]") -> None:
+        """Refuses tools that its snap or texture does not suit.
+
+        Args:
+            tools: of the file.
+
+        Raises:
+            ValueError: there is one.
+        """
+        for number, table in enumerate(tools, start=1):
+            for effect in (self.snap, self.texture):
+                if effect is not None and table.kind == "touch":
+                    effect.refuse(table.radius, f"tools[{number}]")
 
 
 @final

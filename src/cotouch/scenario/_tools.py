@@ -85,16 +85,20 @@ def touching_of(
             )
         if table.user > users:
             raise ScenarioError(f"tools[{number}].user is {table.user}; the network has users 1 to {users}")
+        raised = 0.0 if contact.texture is None else contact.texture.top()
         if table.kind == "touch" and table.begin == 0.0:
-            reached = resolve_penetration(body, start[table.user - 1], np.array(table.at), table.radius)
+            reached = resolve_penetration(body, start[table.user - 1], np.array(table.at), table.radius + raised)
             if reached is not None:
                 depth, place = reached
                 raise ScenarioError(
                     f"tools[{number}].at is {table.at}; a tool that touches starts outside, but with its radius of "
-                    f"{table.radius:g} m this one is {depth:.3g} m deep in the body; move it to "
-                    f"[{', '.join(f'{x:.4g}' for x in place + 0.0)}] or farther, or make it a grasp"
+                    f"{table.radius:g} m{' and the texture' * (raised > 0.0)} this one is {depth:.3g} m deep in the "
+                    f"body; move it to [{', '.join(f'{x:.4g}' for x in place + 0.0)}] or farther, or make it a grasp"
                 )
     surface = surface_of(model)
+    touches = [table.radius for table in tables if table.kind == "touch"]
+    if touches and contact.texture is not None:
+        surface = surface._replace(relief=contact.texture.relief(surface, min(touches)))
     order = sorted(range(len(tables)), key=lambda index: tables[index].user)
     chosen = [tables[index] for index in order]
     count = len(chosen)
@@ -111,6 +115,8 @@ def touching_of(
             own.radius[t] = 0.5 * (table.thickness or 0.0)
         if table.kind == "touch":
             own.stiffness[t], own.loss[t] = table.stiffness, table.damping
+            if contact.snap is not None:
+                own.snap[t], own.snap_range[t] = contact.snap.force, contact.snap.range
         elif table.kind == "grasp":
             own.grip_stiffness[t], own.grip_damping[t] = table.stiffness, table.damping
         if table.device is None:

@@ -2,9 +2,11 @@
 
 import math
 import os
+import re
 import time
 from pathlib import Path
 from typing import assert_never, final
+from urllib.parse import quote
 
 import numpy as np
 
@@ -34,6 +36,17 @@ from cotouch.session._steered import SteeredMembers
 
 # Where no hand exerts more than this, and nobody acts for so long, hands begin to wander [N, s].
 _AT_REST, _QUIET = 0.01, 20.0
+
+
+def file_name(name: str, life: int) -> str:
+    """Of a user's recording: no name leads out of the folder, and what a file system takes amiss is escaped.
+
+    Args:
+        name: of the user.
+        life: how often its process was started before.
+    """
+    shown = re.sub(r'[%/\\:*?"<>|]', lambda letter: quote(letter[0], safe=""), name)
+    return f"{shown}.mcap" if not life else f"{shown} {life + 1}.mcap"
 
 
 def cores() -> int:
@@ -173,9 +186,7 @@ class DemoSessionApi(SteeredMembers):
         if len(self._names) >= cores():
             options.append("--ordinary")  # else they leave nothing to the page and to whoever looks at it
         if self._record is not None:
-            life = self._lives[name]
-            path = self._record / (f"{name}.mcap" if not life else f"{name} {life + 1}.mcap")
-            options += ["--record", str(path)]
+            options += ["--record", str(self._record / file_name(name, self._lives[name]))]
         self._lives[name] += 1
         before = self.members.get(name)
         if before is not None:

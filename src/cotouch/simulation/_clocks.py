@@ -16,7 +16,7 @@ def step_lengths(scenario: Scenario, users: int, *, common: bool) -> Float:
     Args:
         scenario: that asks for them.
         users: how many.
-        common: whether all count their steps alike: then as many as the slowest has time for.
+        common: whether all count their steps alike: then as many as there may be time for.
 
     Raises:
         ScenarioError: the run is shorter than a step, or has too many.
@@ -34,9 +34,11 @@ def step_lengths(scenario: Scenario, users: int, *, common: bool) -> Float:
     else:
         lengths = np.broadcast_to(_periods(scenario)[:, None], (users, most))
     if common:
-        clock = _clock(lengths)
-        count = int(np.searchsorted(clock, steps.duration * (1.0 + 1e-12) + 1e-12, side="right"))
-        lengths = lengths[:, :count]
+        apart = steps.random is not None and scenario.synchronisation.mode == "self-paced"
+        # Where nobody waits for every slow step of another, as many as the fastest could take by itself.
+        clocks = np.cumsum(lengths, axis=1) if apart else _clock(lengths)[None, :]
+        limit = steps.duration * (1.0 + 1e-12) + 1e-12
+        lengths = lengths[:, : max(int(np.searchsorted(clock, limit, side="right")) for clock in clocks)]
     if lengths.shape[1] < 1 or lengths[:, 0].max() > steps.duration * (1.0 + 1e-12):
         raise ScenarioError(f"the run lasts {steps.duration} s, which is less than one step; make it longer")
     return np.ascontiguousarray(lengths)
