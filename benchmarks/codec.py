@@ -1,11 +1,13 @@
-"""Packets a second against cost, for every law and deadband: `python -m benchmarks.codec`; `--draws` of each task.
+"""Packets a second against cost, for every law and deadband: `python -m benchmarks.codec`.
 
-Two users at 25 ms, and with one deadband at 25 + exp(10) ms with 5 % loss; laws with their defaults, the five tasks of
-the comparison. A run goes message by message, so it takes minutes.
+`--draws` of each task, `--deadbands` for fewer of them. Two users at 25 ms, and with one deadband at 25 + exp(10) ms
+with 5 % loss; laws with their defaults, the five tasks of the comparison. A run goes message by message, so it takes
+minutes.
 """
 
 import argparse
 import sys
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -26,18 +28,19 @@ NETWORKS: dict[str, dict[str, Any]] = {
 }
 
 
-def run(draws: int) -> list[Row]:
+def run(draws: int, deadbands: Sequence[float] = DEADBANDS) -> list[Row]:
     """Rows of the table.
 
     Args:
         draws: of each task and channel.
+        deadbands: that are tried.
     """
     rows: list[Row] = []
     for name, channel in NETWORKS.items():
         for law in LAWS:
             cells: list[str] = []
             beside: list[str] = []
-            for deadband in (None, *(DEADBANDS if not channel else (USUAL,))):
+            for deadband in (None, *(deadbands if not channel else (USUAL,))):
                 codec = {} if deadband is None else {"codec": {"deadband": deadband, "quantum": QUANTUM}}
                 study = Study.make(
                     laws=[law],
@@ -76,9 +79,10 @@ def _measures(study: Study, draws: int) -> dict[str, float]:
 def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.codec", description=__doc__)
     parser.add_argument("--draws", type=int, default=2, help="of each task and channel (2)")
+    parser.add_argument("--deadbands", type=float, nargs="+", default=list(DEADBANDS), help="that are tried")
     add_write(parser)
     options = parser.parse_args()
-    finish(run(options.draws), write=options.write)
+    finish(run(options.draws, options.deadbands), write=options.write)
 
 
 if __name__ == "__main__":

@@ -30,6 +30,7 @@ from cotouch.recording import Recording, read_recording
 SPEED = 0.05  # of the hand [m/s]
 OWN = 1.0  # damping of the body [Ns/m]
 SPRING, DELAY, JITTER, LOSS = 50.0, 0.015, 0.02, 0.05  # 25 ± 10 ms
+CODEC = "codec = {deadband = 0.1, quantum = 1e-5, hold = 4}"
 SETTLING = 1.5  # after the hand is at its speed [s]
 SECONDS = 10.0
 PATIENCE = 240.0  # where kernels compile [s]
@@ -65,6 +66,7 @@ class Felt(NamedTuple):
 
     Attributes:
         law: its name.
+        saved: share of bytes that a perceptual codec left out; 0 without one.
         felt: force over velocity of the hand, on the average [Ns/m].
         predicted: likewise [Ns/m].
         said: what members said at their end of the law's part, measured and predicted; None: nothing [Ns/m].
@@ -73,6 +75,7 @@ class Felt(NamedTuple):
     """
 
     law: str
+    saved: float
     felt: float
     predicted: float
     said: tuple[float | None, float | None]
@@ -85,20 +88,22 @@ class Felt(NamedTuple):
         return self.felt / self.predicted - 1.0
 
 
-def measure_drag(law: str, seconds: float, folder: Path) -> Felt:
+def measure_drag(law: str, seconds: float, folder: Path, *, codec: bool = False) -> Felt:
     """One session of two processes.
 
     Args:
         law: of its links.
         seconds: that count.
         folder: an empty one.
+        codec: whether samples go through a perceptual codec.
 
     Raises:
         RuntimeError: a process ended early, or nobody moved for minutes.
     """
     from cotouch.members import Status, felt
 
-    (folder / "two.toml").write_text(TWO, encoding="utf-8")
+    text = TWO.replace("[body]", f"{CODEC}\n[body]") if codec else TWO
+    (folder / "two.toml").write_text(text, encoding="utf-8")
     recordings = [folder / "ann.mcap", folder / "ben.mcap"]
     with ExitStack() as stack:
 
@@ -164,6 +169,7 @@ def _judge(
     damping = [_damping(one, _window(one, begun, seconds)) for one in (ann, ben)]
     return Felt(
         law=law,
+        saved=float(status["links"][0]["saved"]),
         felt=float((T * force)[1:].sum() / way),
         predicted=_predicted(law, damping),
         said=said,
@@ -214,26 +220,32 @@ def rows(found: list[Felt]) -> list[Row]:
             f"members say of the law alone: {said or 'nothing'}; copies {1e3 * one.apart:.1f} mm apart at most; "
             f"{100 * one.late:.1f} late steps for 100 taken"
         )
+        how = f"{one.law}, codec" if one.saved else one.law
+        if one.saved:
+            note += f"; the codec saved {100 * one.saved:.0f} % of the bytes"
         result.append(
-            Row("laws live", f"drag that a hand feels, law {one.law}", f"{one.felt:.2f} Ns/m", "within 15 %", note)
+            Row("laws live", f"drag that a hand feels, law {how}", f"{one.felt:.2f} Ns/m", "within 15 %", note)
         )
-    for one in found[1:]:
+    for one in found:
+        if one.law == "spring":
+            continue
         share = (one.felt - OWN) / (spring.felt - OWN)
-        what = f"drag of law {one.law} beside the rule's, without the body's"
+        how = f"{one.law}, codec," if one.saved else one.law
+        what = f"drag of law {how} beside the rule's, without the body's"
         result.append(Row("laws live", what, f"{share:.3f}", "≤ 0.25", "two processes, 25 ± 10 ms, 5 % lost, 50 N/m"))
     return result
 
 
 def measure(seconds: float = SECONDS) -> list[Row]:
-    """Springs, `paid` and `wave`.
+    """Springs, `paid` and `wave`; the first two also through a perceptual codec.
 
     Args:
         seconds: that count, of each.
     """
     found: list[Felt] = []
-    for law in ("spring", "paid", "wave"):
+    for law, codec in (("spring", False), ("paid", False), ("wave", False), ("spring", True), ("paid", True)):
         with tempfile.TemporaryDirectory() as folder:
-            found.append(measure_drag(law, seconds, Path(folder)))
+            found.append(measure_drag(law, seconds, Path(folder), codec=codec))
     return rows(found)
 
 

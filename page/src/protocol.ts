@@ -60,6 +60,9 @@ export interface LinkStatus {
   round_trip: number | null;
   loss: number;
   rate: number;
+  datagrams: number;
+  size: number;
+  saved: number;
   force: number;
   work: number;
   difference: number | null;

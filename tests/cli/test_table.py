@@ -1,6 +1,6 @@
 """What the terminal says of a session's law."""
 
-from cotouch.cli._table import felt_words, verdict
+from cotouch.cli._table import felt_words, traffic_words, verdict
 from cotouch.members import LinkStatus, Status
 
 
@@ -18,6 +18,15 @@ def test_the_law_its_energy_on_the_way_and_its_drag() -> None:
     assert felt_words(still) == "Law spring: felt drag 4.00 Ns/m predicted (people notice 0.8)."
     assert "felt drag not known until the object moves" in felt_words([said(0)])
     assert felt_words([]) == ""
+
+
+def test_what_is_sent_and_what_the_codec_saves() -> None:
+    sent = {"slot": 1, "state": "coupled", "datagrams": 480.0, "size": 60e3}
+    both = [said(0, links=[sent]), said(1, links=[sent | {"slot": 0, "size": 20e3}])]
+    assert traffic_words(both) == "Samples: 960 datagrams and 80.0 kB a second."
+    both[1] = said(1, links=[sent | {"slot": 0, "size": 20e3, "saved": 0.8}])  # of 100 kB/s
+    assert traffic_words(both) == "Samples: 960 datagrams and 80.0 kB a second; the codec saves 50 %."
+    assert traffic_words([said(0)]) == ""
 
 
 def test_nobody_is_accused_of_energy_whose_ledger_went_with_who_left() -> None:

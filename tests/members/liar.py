@@ -67,7 +67,9 @@ class Liar:
             self._hooked = copy
             plane = copy._plane
             true = plane.send
-            plane.send = lambda now, sample, T: self._tell(now, sample, T) if self.lying else true(now, sample, T)
+            plane.send = lambda now, sample, T, mean=None: (
+                self._tell(now, sample, T) if self.lying else true(now, sample, T, mean)
+            )
 
     # -- samples -----------------------------------------------------------------------------------------------------
 

@@ -93,7 +93,16 @@ def test_the_digest_tells_another_mesh(tmp_path: Path) -> None:
         (SLOTS + "[synchronisation]\ndamping = [1.0, 2.0]\n", ScenarioError, "[1.0, 2.0]"),
         (SLOTS + '[synchronisation]\nlaw = "once"\n', ScenarioError, 'law is "once"; live it is "spring"'),
         (SLOTS + "[synchronisation]\ndamping_scale = 0.5\n", ScenarioError, "below 1 nothing is passive"),
-        (SLOTS + "[channel]\ncodec = {deadband = 0.1}\n", ScenarioError, "only the simulator has so far; leave it out"),
+        (
+            SLOTS + 'encoding = "float16"\n[channel]\ncodec = {deadband = 0.1}\n',
+            ScenarioError,
+            'channel.codec is given and session.encoding is "float16"',
+        ),
+        (
+            SLOTS + '[channel]\ncodec = {}\n[synchronisation]\nmode = "constant"\n',
+            ScenarioError,
+            'channel.codec is given, but synchronisation.mode is "constant"',
+        ),
         (
             SLOTS + "[contact]\ntexture = {file = 'a.png', size = [1, 1], height = 1e-4}\n",
             ScenarioError,

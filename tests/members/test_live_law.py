@@ -89,7 +89,7 @@ def test_two_carry_an_object(law: str) -> None:
     assert status.links[0].state == "coupled"
     assert status.links[0].given > 0.0 < status.links[0].taken
     assert float(ann.copy.damping[0]) == LAWS[law].drag  # nothing of the rule
-    watched(world, 2.0)
+    watched(world, 0.5)
 
 
 def test_who_begins_together_needs_no_allowance() -> None:

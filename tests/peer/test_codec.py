@@ -10,7 +10,17 @@ import pytest
 
 from cotouch.arrays import Float
 from cotouch.laws import ONCE, PAID, SPRING, WAVE, Law
-from cotouch.peer import Codec, CopyMemory, Decoder, Encoder, FreshestLink, LawLink, Message, Sample
+from cotouch.peer import (
+    Codec,
+    ContentForm,
+    CopyMemory,
+    Decoder,
+    Encoder,
+    FreshestLink,
+    LawLink,
+    Message,
+    Sample,
+)
 from cotouch.peer._codec import Account
 
 # What a law tells after a step of a number and a mean velocity.
@@ -49,7 +59,7 @@ def said(encoder: Encoder, v: Float, message: Told | None = None) -> list[tuple[
     for k, mean in enumerate(v):
         told = (np.zeros((0, 2)), np.zeros(0)) if message is None else message(k, mean)
         sample = Sample(sender=1, index=k, stamp=(k + 0.5) * T, position=x + 0.5 * T * mean, message=told)
-        result.append((sample, encoder.encode(sample, mean, T)))
+        result.append((sample, encoder.encode(sample, mean, T)[0]))
         x = x + T * mean
     return result
 
@@ -89,15 +99,15 @@ def test_whatever_a_neighbour_does_the_senders_damping_has_paid_for_it(quantum: 
         for k in range(len(v)):
             newest = max([newest, *(m for m in range(int(newest + 1), k) if whole[m] <= (k + 1) * T)])
             age = max(age, (k + 0.5 - newest) * T)
-        encoder = Encoder(codec, law, ONES, SHAPE, age + 2.0 * T)
-        decoder = Decoder(codec, law, SHAPE, 1)
+        encoder = Encoder(ContentForm(codec, law), ONES, SHAPE, age)
+        decoder = Decoder(ContentForm(codec, law), SHAPE, 1)
         words = said(encoder, v)
         used, balance = Sample(sender=1, index=-1, stamp=0.0, position=np.zeros(SHAPE)), 0.0
         for k in range(len(v)):
             balance += 0.5 * T * codec.age * float((v[k] ** 2).sum())
             for m in np.flatnonzero((arrival > k * T) & (arrival <= (k + 1) * T)):
                 sample, data = words[m]
-                heard = decoder.decode(sample.index, sample.stamp, data)
+                heard = decoder.decode(sample.index, sample.stamp, T, data)
                 if heard is not None and heard.index > used.index:
                     used = heard
             error = used.position - words[used.index][0].position if used.index >= 0 else np.zeros(SHAPE)
@@ -116,9 +126,12 @@ def test_no_energy_is_told_that_was_not_given(law: Law, quantum: float) -> None:
     own = [law.sends_scalars.index(name) for name in law.energies]
     for seed in range(4):
         rng = np.random.default_rng(seed)
-        encoder, decoder = Encoder(codec, law, ONES, SHAPE, 1.0), Decoder(codec, law, SHAPE, 1)
+        encoder, decoder = (
+            Encoder(ContentForm(codec, law), ONES, SHAPE, 1.0),
+            Decoder(ContentForm(codec, law), SHAPE, 1),
+        )
         for sample, data in said(encoder, motion(rng, 200), energies(rng, law)):
-            heard = decoder.decode(sample.index, sample.stamp, data)
+            heard = decoder.decode(sample.index, sample.stamp, T, data)
             assert heard is not None
             assert heard.message is not None
             assert sample.message is not None
@@ -131,7 +144,7 @@ def test_what_is_said_in_one_byte_is_within_the_deadband() -> None:
     v = np.full((200, 2, 1), 0.1)
     v[100:] *= 1.05
     v[150:] *= 1.5
-    encoder, decoder = Encoder(codec, WAVE, ONES, SHAPE, 1.0), Decoder(codec, WAVE, SHAPE, 1)
+    encoder, decoder = Encoder(ContentForm(codec, WAVE), ONES, SHAPE, 1.0), Decoder(ContentForm(codec, WAVE), SHAPE, 1)
     still = (np.ones((1, 2)), np.array([1.0]))
     words = said(encoder, v, lambda _k, _mean: still)
     contents = [k for k, (_, data) in enumerate(words) if len(data) > 1]
@@ -139,7 +152,7 @@ def test_what_is_said_in_one_byte_is_within_the_deadband() -> None:
     assert contents[:4] == [0, 1, 52, 103]
     assert 150 < contents[4] <= 160
     for sample, data in words:
-        heard = decoder.decode(sample.index, sample.stamp, data)
+        heard = decoder.decode(sample.index, sample.stamp, T, data)
         assert heard is not None
         off = np.linalg.norm(heard.position - sample.position)
         assert off <= 0.1 * 0.16 * np.sqrt(2) * (codec.hold + 1) * T
@@ -150,16 +163,16 @@ def test_a_content_that_is_lost_takes_with_it_what_goes_on_from_it() -> None:
     codec = Codec(deadband=0.1)
     v = np.full((30, 2, 1), 0.1)
     v[10:] = -0.1
-    encoder, decoder = Encoder(codec, WAVE, ONES, SHAPE, 1.0), Decoder(codec, WAVE, SHAPE, 1)
+    encoder, decoder = Encoder(ContentForm(codec, WAVE), ONES, SHAPE, 1.0), Decoder(ContentForm(codec, WAVE), SHAPE, 1)
     words = said(encoder, v, lambda _k, _mean: (np.zeros((1, 2)), np.zeros(1)))
     lost = max(k for k, (_, data) in enumerate(words) if len(data) > 1 and k < 20)
     assert len(words[lost + 3][1]) == 1
-    heard = [decoder.decode(s.index, s.stamp, data) for s, data in words[:lost]]
+    heard = [decoder.decode(s.index, s.stamp, T, data) for s, data in words[:lost]]
     assert all(sample is not None for sample in heard)
-    late = [decoder.decode(s.index, s.stamp, data) for s, data in words[lost + 1 : lost + 4]]
+    late = [decoder.decode(s.index, s.stamp, T, data) for s, data in words[lost + 1 : lost + 4]]
     assert late == [None, None, None]
     # It comes after all: what waited for it counts.
-    found = decoder.decode(lost, words[lost][0].stamp, words[lost][1])
+    found = decoder.decode(lost, words[lost][0].stamp, T, words[lost][1])
     assert found is not None
     assert found.index == lost + 3
     assert found.content == lost
@@ -167,43 +180,48 @@ def test_a_content_that_is_lost_takes_with_it_what_goes_on_from_it() -> None:
 
 def test_repeated_and_old_words_change_nothing() -> None:
     codec = Codec(deadband=0.1, hold=5)
-    encoder, decoder = Encoder(codec, SPRING, ONES, SHAPE, 1.0), Decoder(codec, SPRING, SHAPE, 1)
+    encoder, decoder = (
+        Encoder(ContentForm(codec, SPRING), ONES, SHAPE, 1.0),
+        Decoder(ContentForm(codec, SPRING), SHAPE, 1),
+    )
     words = said(encoder, motion(np.random.default_rng(3), 60))
     for sample, data in words:
-        decoder.decode(sample.index, sample.stamp, data)
+        decoder.decode(sample.index, sample.stamp, T, data)
     first = next((s, data) for s, data in words if len(data) > 1)
-    assert decoder.decode(first[0].index, first[0].stamp, first[1]) is None
+    assert decoder.decode(first[0].index, first[0].stamp, T, first[1]) is None
 
 
 def test_nonsense_makes_nothing() -> None:
     codec = Codec(deadband=0.1, quantum=1e-4, hold=5)
-    decoder = Decoder(codec, ONCE, SHAPE, 1)
+    decoder = Decoder(ContentForm(codec, ONCE), SHAPE, 1)
     rng = np.random.default_rng(0)
     good = said(
-        Encoder(codec, ONCE, ONES, SHAPE, 1.0), np.zeros((1, 2, 1)), lambda _k, _m: (np.zeros((1, 2)), np.ones(1))
+        Encoder(ContentForm(codec, ONCE), ONES, SHAPE, 1.0),
+        np.zeros((1, 2, 1)),
+        lambda _k, _m: (np.zeros((1, 2)), np.ones(1)),
     )
     whole = good[0][1]
     nan = bytes([0]) + np.full(9, np.nan).tobytes()
     for data in (b"", b"\x00", b"\x01", b"\x06", b"\xff", whole[:-1], whole + b"\x00", nan, b"\x07" + whole[1:]):
-        assert decoder.decode(3, 0.003, data) is None
-    assert decoder.decode(-1, 0.0, whole) is None
-    assert decoder.decode(0, float("nan"), whole) is None
-    assert decoder.decode(0, 0.0005, whole) is not None
-    assert decoder.decode(6, 0.0065, b"\x06") is None  # longer than anything goes on
-    assert decoder.decode(5, 0.0055, b"\x05") is not None
+        assert decoder.decode(3, 0.003, T, data) is None
+    assert decoder.decode(-1, 0.0, T, whole) is None
+    assert decoder.decode(0, float("nan"), T, whole) is None
+    assert decoder.decode(0, 0.0005, T, whole) is not None
+    assert decoder.decode(6, 0.0065, T, b"\x06") is None  # longer than anything goes on
+    assert decoder.decode(5, 0.0055, T, b"\x05") is not None
     for _ in range(300):
         data = rng.integers(0, 256, int(rng.integers(0, 90)), dtype=np.uint8).tobytes()
-        heard = decoder.decode(int(rng.integers(0, 50)), float(rng.uniform(0, 0.05)), data)
+        heard = decoder.decode(int(rng.integers(0, 50)), float(rng.uniform(0, 0.05)), T, data)
         assert heard is None or np.isfinite(heard.position).all()
 
 
 def test_a_velocity_counts_once_and_is_never_larger_than_it_was() -> None:
     codec = Codec(deadband=0.3, quantum=1e-3)
-    encoder, decoder = Encoder(codec, ONCE, ONES, SHAPE, 0.01), Decoder(codec, ONCE, SHAPE, 1)
+    encoder, decoder = Encoder(ContentForm(codec, ONCE), ONES, SHAPE, 0.01), Decoder(ContentForm(codec, ONCE), SHAPE, 1)
     rng = np.random.default_rng(1)
     heard: list[Sample] = []
     for sample, data in said(encoder, motion(rng, 300), lambda _k, mean: (mean.reshape(1, 2), np.full(1, T))):
-        found = decoder.decode(sample.index, sample.stamp, data)
+        found = decoder.decode(sample.index, sample.stamp, T, data)
         assert found is not None
         assert found.message is not None
         assert sample.message is not None

@@ -2,7 +2,7 @@
 import type { LinkStatus } from "../protocol";
 import { type Context, type Pair, can, nameOf } from "./context";
 import { attribute, button, h, icon, redraw, shown, text } from "./dom";
-import { count, hertz, lengthOf, linkName, ms, newtons, percent, si } from "./format";
+import { count, hertz, lengthOf, linkName, ms, newtons, number, percent, si } from "./format";
 import { paced } from "./network";
 import { CONDITIONS, condition, endCondition, isCut, spare } from "./words";
 
@@ -14,6 +14,7 @@ const ROWS: { words: string; tip: string; show: (end: LinkStatus) => string }[] 
   { words: "way", tip: "Quickest way there and back", show: (end) => `${ms(end.round_trip)} ${end.path_state}` },
   { words: "loss", tip: "Share of what the neighbour sent that did not come", show: (end) => percent(end.loss) },
   { words: "samples", tip: "Sent to the neighbour per second", show: (end) => hertz(end.rate) },
+  { words: "data", tip: "Sent to the neighbour per second, and what the perceptual codec left out of it", show: (end) => `${si(end.size, "B/s")} in ${number(end.datagrams)}${end.saved > 0 ? `, ${percent(end.saved, 0)} saved` : ""}` },
   { words: "force", tip: "Of the link’s spring on this copy", show: (end) => newtons(end.force) },
   { words: "work", tip: "Of the link on this copy since the start", show: (end) => si(end.work, "J") },
   { words: "apart", tip: "Greatest difference between the copies, as far as known", show: (end) => lengthOf(end.difference) },

@@ -124,6 +124,17 @@ def felt_words(known: "Sequence[Status]") -> str:
     return f"Law {found.law}: {'; '.join(said)} (people notice {NOTICED_DRAG:.1f})."
 
 
+def traffic_words(known: "Sequence[Status]") -> str:
+    """What all members together send, and what a codec saves of it, in a sentence; empty before they send."""
+    links = [link for status in known for link in status.links]
+    datagrams, size = sum(link.datagrams for link in links), sum(link.size for link in links)
+    if size == 0.0:
+        return ""
+    full = sum(link.size / (1.0 - link.saved) for link in links if link.saved < 1.0)
+    saved = f"; the codec saves {100.0 * (1.0 - size / full):.0f} %" if full > size else ""
+    return f"Samples: {datagrams:,.0f} datagrams and {size / 1e3:,.1f} kB a second{saved}."
+
+
 def _legend(known: "Sequence[Status]") -> "Text":
     """What the marks mean, of those that can be seen now, and the rest of the headings."""
     from rich.text import Text
@@ -137,7 +148,9 @@ def _legend(known: "Sequence[Status]") -> "Text":
             legend.append(mark, style=colour).append(f" {meaning}   ", style="dim")
     if any(link.path_state == "relayed" for status in known for link in status.links):
         legend.append("~ by the relay   ", style="dim")
-    legend.append(f"\n{felt_words(known)}")
+    for words in (felt_words(known), traffic_words(known)):
+        if words:
+            legend.append(f"\n{words}")
     for status in known:
         if status.closure_alarms:
             worst = f"{100.0 * status.closure_factor:.2g} %"

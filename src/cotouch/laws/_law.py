@@ -143,6 +143,9 @@ class Law:
         sums: of the fields in a message, those that are integrals and go on at their rate; others are values of now.
         energies: of the numbers in a message, those by which the neighbour pays for what this end does: sums that only
             grow. Whoever believes them only up to a power bounds what a neighbour that lies can do.
+        length: of the numbers in a message, the length of the sender's step, which any sample says; None: none is.
+        counts: of the numbers in a message, those that tell one thing from another, so that none is near enough to the
+            next; a codec says them exactly.
         store: of the numbers that the ends of a copy share, the energy that they hold and what they should hold; None:
             they share none.
     """
@@ -170,6 +173,8 @@ class Law:
     constant_delay: bool = False
     sums: tuple[str, ...] = ()
     energies: tuple[str, ...] = ()
+    length: str | None = None
+    counts: tuple[str, ...] = ()
     store: tuple[str, str] | None = None
     _parts: list[Part] = field(default_factory=list[Part], repr=False, compare=False)
 
@@ -197,7 +202,8 @@ class Law:
     @property
     def signature(self) -> str:
         """Tells it from another law of the same name: what messages hold, what parameters it takes."""
-        said = (self.sends, self.sends_scalars, self.energies, [known.name for known in self.parameters])
+        held = self.sends, self.sends_scalars, self.sums, self.energies, self.length, self.counts
+        said = (*held, [known.name for known in self.parameters])
         return f"{self.name} {sha256(repr(said).encode()).hexdigest()[:16]}"
 
     def check(self, given: Mapping[str, object]) -> None:
@@ -262,10 +268,12 @@ def register(law: Law) -> Law:
     """Makes a law known by its name, instead of one of the same name.
 
     Raises:
-        NetworkError: its seed is none of its parameters, or a sum none of what it sends.
+        NetworkError: its seed is none of its parameters, or something else that it declares none of what it sends.
     """
     if law.seed is not None and law.seed not in {parameter.name for parameter in law.parameters}:
         raise NetworkError(f'law "{law.name}" declares the seed "{law.seed}", which is none of its parameters')
+    for name in {*law.energies, *law.counts, *(() if law.length is None else (law.length,))} - set(law.sends_scalars):
+        raise NetworkError(f'law "{law.name}" declares "{name}", which is none of the numbers that it sends')
     for name in set(law.sums) - set(law.sends):
         raise NetworkError(f'law "{law.name}" declares the sum "{name}", which is none of the fields that it sends')
     _KNOWN[law.name] = law

@@ -52,6 +52,7 @@ ONCE = register(
         parameters=(Parameter(name="damping", meaning="D, of the damper between the copies [Ns/m]", default=_damping),),
         sends=("v",),
         sends_scalars=("T",),
+        length="T",
         springs=True,
         linear=_linear,
         holds=_holds,

@@ -378,6 +378,8 @@ PAID = register(
         ),
         sums=("U_out", "P", "Q"),
         energies=("E_out", "given"),
+        length="T",
+        counts=("epoch", "hands", "as one"),
         store=("account", "level"),
         feels=True,
         seed="seed",

@@ -12,7 +12,7 @@ from pydantic import Field, ValidationError, model_validator
 from cotouch.errors import ScenarioError, SessionError
 from cotouch.files import read_bytes, read_text, table_of, toml
 from cotouch.members._device_table import DeviceTable
-from cotouch.members._law_check import check_law, check_live
+from cotouch.members._law_check import check_codec, check_law, check_live
 from cotouch.network import Network
 from cotouch.planning import Objective
 from cotouch.samples import MOST_AGE, Encoding
@@ -308,6 +308,7 @@ def _made(tables: dict[str, Any], source: str, folder: Path | None) -> tuple[Sce
         tables["body"] = {**tables["body"], "file": str(folder / name)}
     scenario = Scenario.make(source=source, **tables)
     _live(scenario, source)
+    check_codec(scenario, options.model_dump(exclude_unset=True), source)
     check_law(scenario, options.model_dump(exclude_unset=True), source)
     for number, table in enumerate(options.devices, start=1):
         users = scenario.network.size
@@ -331,11 +332,6 @@ def _live(scenario: Scenario, source: str) -> None:
     if sync.damping_scale < 1.0:
         raise ScenarioError(
             f"{source}: synchronisation.damping_scale is {sync.damping_scale}; below 1 nothing is passive, use 1"
-        )
-    if scenario.channel.codec is not None:
-        raise ScenarioError(
-            f"{source}: channel.codec is given, which only the simulator has so far; leave it out, live samples travel "
-            "in full"
         )
     if scenario.contact.texture is not None and scenario.contact.texture.file is not None:
         raise ScenarioError(

@@ -9,12 +9,15 @@ from cotouch.scenario import Scenario, options_of_springs
 
 
 def signature_of(scenario: Scenario) -> str:
-    """Tells the law of a session from one of the same name in another version of the software.
+    """Tells the law and codec of a session from what another version of the software makes of the same file.
 
     Args:
         scenario: of the session.
     """
-    return law_named(scenario.law[0]).signature
+    signature, asked = law_named(scenario.law[0]).signature, scenario.channel.codec
+    if asked is None:
+        return signature
+    return f"{signature} codec {asked.deadband!r} {asked.quantum!r} {asked.hold} {asked.age!r}"
 
 
 def check_live(name: str, what: str) -> None:
@@ -35,6 +38,32 @@ def check_live(name: str, what: str) -> None:
         f'{what} is "{name}"; live it is "spring", or one of those that are passive by themselves and bound what a '
         f"neighbour may do: {fit}"
     )
+
+
+def check_codec(scenario: Scenario, session: Mapping[str, Any], source: str) -> None:
+    """Refuses what a perceptual codec cannot serve live.
+
+    Args:
+        scenario: of the session.
+        session: options of its table [session] that are given.
+        source: of the session, for messages.
+
+    Raises:
+        ScenarioError: it is there.
+    """
+    if scenario.channel.codec is None:
+        return
+    mode, coarse = scenario.synchronisation.mode, session.get("encoding", "float64")
+    if mode != "freshest":
+        raise ScenarioError(
+            f'{source}: channel.codec is given, but synchronisation.mode is "{mode}", which needs every sample in '
+            'full; use mode "freshest", or leave the codec out'
+        )
+    if coarse != "float64":
+        raise ScenarioError(
+            f'{source}: channel.codec is given and session.encoding is "{coarse}"; a codec rounds by its quantum, so '
+            "leave one of them out"
+        )
 
 
 def check_law(scenario: Scenario, session: Mapping[str, Any], source: str) -> None:

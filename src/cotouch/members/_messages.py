@@ -228,6 +228,9 @@ class LinkStatus(Table):
         path: quickest way there and back in the window [s].
         loss: of what the neighbour sent, in the last interval.
         rate: of samples to it [1/s].
+        datagrams: to it [1/s].
+        size: of these, sealed, without what the network adds [B/s].
+        saved: share of bytes that a perceptual codec left out; 0 without one.
         force: of its spring on the copy [N].
         work: of the link on the copy since the start [J].
         difference: between its copy, as far as known, and this one, over all nodes, greatest [m].
@@ -247,6 +250,9 @@ class LinkStatus(Table):
     round_trip: Number | None = None
     loss: Number = 0.0
     rate: Number = 0.0
+    datagrams: Number = 0.0
+    size: Number = 0.0
+    saved: Number = 0.0
     force: Number = 0.0
     work: Number = 0.0
     difference: Number | None = None

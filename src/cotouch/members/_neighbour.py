@@ -18,6 +18,7 @@ from cotouch.samples import (
     LOWEST_RATE,
     Assembly,
     BudgetAgreement,
+    CodedLink,
     Entropy,
     IndexedAssembly,
     LinkAges,
@@ -93,6 +94,19 @@ class Neighbour:
         return 0.0 if self.guard is None else self.guard.total
 
     @property
+    def damped(self) -> float:
+        """Time for which this end damps: both budgets, and what pays for the errors of a perceptual codec [s]."""
+        coded = self.link.coded
+        extra = 0.0 if coded is None or coded.encoder.account is None else 2.0 * coded.age
+        return self.total + extra
+
+    def begin(self) -> None:
+        """Begins the account of a perceptual codec, now that the spring is there."""
+        coded = self.link.coded
+        if coded is not None and coded.encoder.account is not None:
+            coded.encoder.account.begin()
+
+    @property
     def ledger(self) -> GuardLedger | None:
         """Of the guard."""
         return None if self.guard is None else self.guard.ledger
@@ -156,8 +170,14 @@ class Neighbour:
             )
         )
         slowest = max(1.0 / LOWEST_RATE, _send_period(session, entry.slot), session.period(slot))
-        ages = LinkAges(window=options.window, outage=_OUTAGE * slowest)
+        weight, asked = int(network.weight_of[slot, entry.slot]) + 1, replica.scenario.channel.codec
+        # What goes on from a sample that is lost is lost, too.
+        lost = 0.0 if asked is None else asked.hold * session.period(entry.slot)
+        ages = LinkAges(window=options.window, outage=_OUTAGE * slowest + lost)
         link = SampleLink(assembly, rate=SendRate(highest=_highest(session, replica, slot)), ages=ages)
+        if asked is not None:
+            diagonal = replica.model(1).operator.weight[weight]
+            link.coded = CodedLink(layout, diagonal, sender=entry.slot)
         keys = _keys.KeyExchange(
             control,
             link.seal,
@@ -183,7 +203,7 @@ class Neighbour:
         return cls(
             entry=entry,
             strength=float(network.spring[slot, entry.slot]),
-            weight=int(network.weight_of[slot, entry.slot]) + 1,
+            weight=weight,
             keys=keys,
             link=link,
             guard=link.guard,
@@ -226,6 +246,9 @@ class Neighbour:
             round_trip=link.ages.shortest_path,
             loss=link.rate.loss,
             rate=link.rate.rate,
+            datagrams=link.sent.datagrams,
+            size=link.sent.size,
+            saved=link.sent.saved,
             force=self.force,
             work=work,
             difference=float(apart.max()),

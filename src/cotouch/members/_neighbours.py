@@ -179,8 +179,11 @@ class Neighbours:
             guard = neighbour.guard
             if guard is None:
                 continue
-            needed[neighbour.weight] += link_damping(neighbour.strength, neighbour.budget.total)
             guard.budget, guard.total = neighbour.budget.budget, neighbour.budget.total
+            needed[neighbour.weight] += link_damping(neighbour.strength, neighbour.damped)
+            coded = neighbour.link.coded
+            if coded is not None and coded.encoder.account is not None:
+                coded.encoder.account.window = guard.total  # the other end's budget is no more than both
             guard.bypassed = fraction < 1.0
         needed *= fraction
         return needed

@@ -199,9 +199,8 @@ class Replica:
         ready = not waits or peer.ready
         self._stands &= not ready
         if not ready and not self._stands and now - self._stepped < _MOST_WAIT:
-            if (
-                now - self._announced >= _TELL_AGAIN and self._last is not None
-            ):  # two must not wait for each other for ever
+            # Two must not wait for each other for ever.
+            if now - self._announced >= _TELL_AGAIN and self._last is not None:
                 self._announced = now
                 self._plane.send(now, self._last.sample, self._length)
             return
@@ -219,7 +218,7 @@ class Replica:
             self._receive(peer, now)
         sample = peer.move(now, length)
         self._plane.stepped(now)
-        self._plane.send(now, sample, length)  # as early as can be: what is only for this copy comes after it
+        self._plane.send(now, sample, length, peer.mean)  # as early as can be; what follows is for this copy alone
         hand.after()
         report = peer.account()
         self._last = report
@@ -260,6 +259,7 @@ class Replica:
                 if law is not None:
                     law.copies = self.copies
                 self._align(neighbour)
+                neighbour.begin()
                 peer.connect(slot, neighbour.source, strength=neighbour.strength, weight=neighbour.weight)
                 self._changed(now)
 
@@ -352,7 +352,7 @@ class Replica:
         peer, totals, report = self.peer, self.totals, self._last
         if peer is None or report is None:
             return Status(slot=self.slot, epoch=self._roster.epoch, links=links)
-        needed = sum(link_damping(held.strength, held.total) for held in self.neighbours.values())
+        needed = sum(link_damping(held.strength, held.damped) for held in self.neighbours.values())
         model = peer.model
         return Status(
             slot=self.slot,

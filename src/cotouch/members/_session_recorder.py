@@ -20,6 +20,8 @@ from cotouch.recording import (
     ADVANCED,
     EXCHANGE,
     GUARDS,
+    HOW_SAID,
+    SAID,
     NewFile,
     RecordedBody,
     Recorder,
@@ -59,6 +61,7 @@ class SessionRecorder:
         self.trouble: str | None = None
         self._file = file if isinstance(file, NewFile) else NewFile(file)
         self._session, self._replica, self._law = session, replica, replica.law
+        self._codec = session.scenario.channel.codec
         self._name, self._waits = name, waits
         self._recorder: Recorder | None = None
         self._refused: str | None = None
@@ -94,6 +97,7 @@ class SessionRecorder:
                     ADVANCED: ("J", "what the links' tanks got of the newcomer's allowance after the step"),
                     **({} if self._law is not None else GUARDS),
                     **EXCHANGE,
+                    **({} if self._codec is None else {SAID: HOW_SAID}),
                 },
             )
             try:
@@ -116,7 +120,7 @@ class SessionRecorder:
             extra_damping=copy.extra_damping,
             ports=copy.ports,
             tool_mass=() if peer.tools is None else peer.tools.mass[peer.tools.first : peer.tools.last],
-            link_damping=None if self._law is not None else [link_damping(link.strength, link.total) for link in held],
+            link_damping=None if self._law is not None else [link_damping(link.strength, link.damped) for link in held],
             budgets=[
                 link.guard.budget if link.guard is not None and np.isfinite(link.guard.budget) else None
                 for link in held
@@ -126,6 +130,7 @@ class SessionRecorder:
             law="spring" if self._law is None else self._law.law.name,
             seeds=[self._session.options.initial_energy if link.law is None else link.law.seed for link in held],
             allowance=self._session.options.allowance,
+            codec=None if self._codec is None else self._codec.model_dump(),
         )
 
     def step(self, copy: Replica, report: StepReport, now: float, T: float) -> None:
@@ -162,6 +167,7 @@ class SessionRecorder:
                 "rescaled": report.rescaled,
                 ADVANCED: report.advanced,
                 **self._books(held, ledger),
+                **({} if self._codec is None else {SAID: np.array([link.link.said for link in held])}),
             },
         )
 

@@ -10,9 +10,11 @@ import numpy as np
 from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.errors import SessionError
+from cotouch.laws import SPRING
 from cotouch.mechanics import WEIGHTS, BodyForce, Model, Shape, model
 from cotouch.members._file import SessionFile
 from cotouch.members._live_law import LiveLaw
+from cotouch.peer import ContentForm
 from cotouch.samples import Layout
 from cotouch.scenario import Scenario
 
@@ -66,6 +68,12 @@ class SharedModel:
             raise SessionError(
                 f'synchronisation.law is "{law.law.name}", which takes no truncated body; leave that out'
             )
+        asked = scenario.channel.codec
+        if asked is not None and bool(np.any(ready.operator.mix[WEIGHTS:])):
+            raise SessionError(
+                "channel.codec is given, but a link's weight or a truncated body couples nodes or axes; what its "
+                "errors cost is known for diagonal weights only, so leave the codec out"
+            )
         layout = Layout(
             rows=ready.operator_rows,
             width=ready.width,
@@ -75,6 +83,7 @@ class SharedModel:
             fields=0 if law is None else len(law.law.sends),
             coarse=() if law is None else law.law.coarse,
             scalars=0 if law is None else len(law.law.sends_scalars),
+            form=None if asked is None else ContentForm(asked.codec, SPRING if law is None else law.law),
         )
         return cls(scenario, body, layout, law, _fingerprint(ready))
 

@@ -1,6 +1,7 @@
 """One user's replica, sans-IO."""
 
-from cotouch.peer._codec import MOST_HOLD, Codec, Decoder, Encoder
+from cotouch.peer._codec import Decoder, Encoder
+from cotouch.peer._content import FULL, MOST_HOLD, ROUNDED, Codec, Content, ContentForm
 from cotouch.peer._cuts import CutSet
 from cotouch.peer._guard import LinkGuard
 from cotouch.peer._guard_ledger import GuardEvent, GuardLedger
@@ -10,10 +11,14 @@ from cotouch.peer._peer import Peer
 from cotouch.peer._report import StepReport
 
 __all__ = [
+    "FULL",
     "MOST_HOLD",
     "NO_HEADER",
+    "ROUNDED",
     "Codec",
     "ConstantLink",
+    "Content",
+    "ContentForm",
     "CopyMemory",
     "CutSet",
     "Decoder",

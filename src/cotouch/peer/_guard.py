@@ -83,6 +83,8 @@ class LinkGuard:
         tank: E [J].
         events: the last 256 changes of state; whoever reads them may clear them.
         bypassed: follows every sample, whatever it costs; for who wants to show what a guard is good for.
+        tolerant: whether the other end bears errors of this one's samples, because as far as is known both are coupled;
+            in between, what follows from a sample must be the truth. As of the last step.
     """
 
     def __init__(
@@ -145,7 +147,7 @@ class LinkGuard:
         self.epoch = epoch
         self.tank = initial_energy
         self.events = deque[GuardEvent](maxlen=_MOST_EVENTS)
-        self.bypassed = False
+        self.bypassed = self.tolerant = False
         self._keep_back, self._patience, self._waited = initial_energy, patience, 0.0
         self._balance, self._cap, self._rounding = balance, cap, rounding
         self._force, self._power, self._burst = force, power, _BURST * power if burst is None else burst
@@ -234,7 +236,7 @@ class LinkGuard:
         if sample.index >= 0:
             self._known_epoch = header.epoch
             self._receive(header.given, T)
-        self._short = 0.0
+        self._short, self.tolerant = 0.0, False
         if self.bypassed and sample.index >= 0 and desired < inf:
             self._catching = False
             self._move(desired, held)
@@ -243,6 +245,7 @@ class LinkGuard:
             reason = self._why_guard(header, fresh, goal - held)
             if not reason:
                 self._move(goal, held)
+                self.tolerant = header.state == LinkState.COUPLED
                 return 1.0 if goal == desired else sqrt(goal / desired)
             self._fall(now, reason, self.tank)
             available = self.tank

@@ -41,7 +41,7 @@ class LinkHeader(NamedTuple):
 
 
 # Of a neighbour that holds its springs itself, as in the simulator, and of one that has not been heard yet.
-_PLAIN, NO_HEADER = LinkHeader(), LinkHeader(LinkState.GUARDED)
+PLAIN, NO_HEADER = LinkHeader(), LinkHeader(LinkState.GUARDED)
 
 
 @final
@@ -65,7 +65,7 @@ class Sample:
     index: int
     stamp: float
     position: Float
-    header: LinkHeader = _PLAIN
+    header: LinkHeader = PLAIN
     message: Message | None = None
     content: int | None = None
     cuts: npt.NDArray[np.int32] | None = None

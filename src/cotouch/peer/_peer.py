@@ -156,6 +156,11 @@ class Peer:
         return self._joined.neighbours
 
     @property
+    def mean(self) -> Float:
+        """v̂ of the step taken last, (rows, width); changes in place [m/s]."""
+        return self._work.mean
+
+    @property
     def ready(self) -> bool:
         """Whether every link has what the next step needs."""
         return all(source.ready(self.steps) for source in self._joined.sources)

@@ -3,7 +3,7 @@
 from cotouch.recording._audit import audit
 from cotouch.recording._audited import Audit, UserLedger
 from cotouch.recording._body import RecordedBody
-from cotouch.recording._columns import ADVANCED, EXCHANGE, GUARDS
+from cotouch.recording._columns import ADVANCED, EXCHANGE, GUARDS, HOW_SAID, SAID
 from cotouch.recording._dataset import recordings_dataset, save_dataset
 from cotouch.recording._disk import NewFile
 from cotouch.recording._figures import audit_figure, save_audit_figures
@@ -19,6 +19,8 @@ __all__ = [
     "ADVANCED",
     "EXCHANGE",
     "GUARDS",
+    "HOW_SAID",
+    "SAID",
     "Audit",
     "AuditFinding",
     "LinkLedger",

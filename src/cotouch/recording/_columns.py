@@ -84,6 +84,12 @@ EXCHANGE: dict[str, tuple[str, str]] = {
 }
 # One number for each step, of a session: what its links' tanks got of what a newcomer may have to come to the others.
 ADVANCED = "advanced"
+# Likewise, of links with a perceptual codec: how the step's sample was said to the neighbour; see `cotouch.peer`.
+SAID, UNSENT = "said", -1
+HOW_SAID = (
+    "1",
+    "how each neighbour was told of the step: 0 in full numbers, 255 rounded, since how many steps it goes on, -1 not",
+)
 MIXED, UNSAID = -2, -3
 _TYPES = ("<f8", "<f4", "<i8", "<i4", "|i1")
 _LENGTH = struct.Struct("<I")
@@ -145,7 +151,7 @@ def unpack(data: bytes) -> Batch:
     states = {values.shape[0] for name, values in columns.items() if name in STATES}
     if len(steps) > 1 or len(states) > 1 or not {"index", "end", "T"} <= set(columns):
         raise RecordingError("the columns of a batch have different lengths, or it has no index, end and T")
-    links = [columns[name] for name in ("link_work", "age", "used", "link_state", *GUARDS) if name in columns]
+    links = [columns[name] for name in ("link_work", "age", "used", "link_state", SAID, *GUARDS) if name in columns]
     if any(values.ndim != 2 or values.shape[1] != len(neighbours) for values in links):
         raise RecordingError(f"a batch has {len(neighbours)} links, but columns of another width")
     rows = columns.get("state_row", np.zeros(0))

@@ -12,7 +12,7 @@ from cotouch.arrays import Float
 from cotouch.errors import RecordingError
 from cotouch.files import write_netcdf
 from cotouch.peer import LinkState
-from cotouch.recording._columns import EXCHANGE, GUARDS
+from cotouch.recording._columns import EXCHANGE, GUARDS, HOW_SAID, SAID
 from cotouch.recording._links import align
 from cotouch.recording._recording import Recording
 from cotouch.recording._slack import slack_of
@@ -132,7 +132,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
     for name, (shown, unit, text) in _TOOLS.items():
         column(name, ("user", "step", "tool", "space"), unit, text, shown)
     directions = [(at, entry) for at, recording in enumerate(recordings) for entry in range(len(recording.neighbours))]
-    ledger = GUARDS | EXCHANGE
+    ledger = GUARDS | EXCHANGE | {SAID: HOW_SAID}
     if directions:
         for name, unit, text in (
             ("link_work", "J", "work of the link on its receiver so far"),

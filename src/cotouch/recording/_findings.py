@@ -10,6 +10,7 @@ from cotouch.arrays import Float
 from cotouch.recording._guards import unbalanced, unfounded
 from cotouch.recording._motion import LOSSES, Motion
 from cotouch.recording._recording import Recording
+from cotouch.recording._said import unpaid_errors
 from cotouch.units import user_number
 
 # `cotouch.mechanics.CLOSURE_ALARM`, which reading a recording must not load kernels for.
@@ -109,6 +110,15 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
             to = "" if other is None else f" towards {names.get(other, f'user {user_number(other)}')}"
             words = f"at {names[recording.user]}{to} {lacking.words}, by {_joule(_most(lacking.energy))}"
             add("guard", lacking.energy, words, pair)
+    for other in recording.neighbours:
+        beyond = unpaid_errors(recording, other)
+        if _counts(beyond, tolerance):
+            neighbour = names.get(other, f"user {user_number(other)}")
+            words = (
+                f"what {names[recording.user]} told {neighbour} was further off than its damping had paid for, by "
+                f"{_joule(_most(beyond))}"
+            )
+            add("codec", beyond, words, (recording.user, other))
     # Shares that rise as members leave are paid by what the copy lost.
     came = np.cumsum(np.where(motion.members, motion.carried - motion.sunk, 0.0))
     unpaid = came - np.cumsum(motion.known["body_loss"] + motion.known["extra_loss"])

@@ -18,6 +18,7 @@ from cotouch.recording._body import RecordedBody
 from cotouch.recording._columns import UNSAID
 from cotouch.recording._outside import Outside, cut_steps, outside_of, scale_of, sunk_of
 from cotouch.recording._recording import Recording, Setup
+from cotouch.recording._said import told
 
 Bool = npt.NDArray[np.bool_]
 Int = npt.NDArray[np.int64]
@@ -310,8 +311,10 @@ class _Steps:
         if not found.any():
             return work, found
         weight = self.body.weights[self.setup.weight[entry]]
-        theirs = other.header.body.field(other.states["middle"][places[found]])
-        stretch = self.middle[found] - theirs
+        said = told(other, self.recording.user, places[found])
+        sure = np.isfinite(said).all(axis=(1, 2))
+        found[found] = sure
+        stretch = self.middle[found] - other.header.body.field(said[sure])
         scale = -self.T[found] * self.setup.strength[entry]
         work[found] = scale * self.body.form(weight, self.mean[found], stretch)
         rounding = self.setup.rounding

@@ -11,8 +11,8 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.errors import RecordingError
-from cotouch.peer import LinkState
-from cotouch.recording._columns import EXCHANGE, GUARDS, STATES, UNSAID, Batch
+from cotouch.peer import ROUNDED, Codec, LinkState
+from cotouch.recording._columns import EXCHANGE, GUARDS, SAID, STATES, UNSAID, Batch
 from cotouch.recording._header import RecordHeader
 from cotouch.units import user_number
 
@@ -60,6 +60,7 @@ class Setup(NamedTuple):
         keys: of the users at the other ends; None: not said.
         seeds: what the tank of each link started with [J]; None: not said.
         allowance: what all tanks may get once besides, to come to where the others are [J].
+        codec: how the user's samples are said; None: in full.
         law: of the links; whatever is no "spring" has no strength, and its work is as booked, judged by their sum.
     """
 
@@ -78,6 +79,7 @@ class Setup(NamedTuple):
     seeds: tuple[float, ...] | None = None
     allowance: float = 0.0
     law: str = "spring"
+    codec: Codec | None = None
 
 
 @final
@@ -231,7 +233,7 @@ def recording_of(
     columns: dict[str, Array] = {}
     names = dict.fromkeys(name for batch in batches for name in batch.columns if name not in STATES)
     for name in names:
-        if name in _LINKS or name in GUARDS or name in EXCHANGE:
+        if name in _LINKS or name in GUARDS or name in EXCHANGE or name == SAID:
             columns[name] = _links(name, neighbours, batches)
             continue
         entries = [batch.columns.get(name) for batch in batches]
@@ -296,6 +298,17 @@ def _padded(entry: Array | None, count: int, shape: tuple[int, ...]) -> Array:
     return out
 
 
+def _codec(options: Any) -> Codec | None:
+    """The codec that a setup names; nothing of it is believed."""
+    if options is None:
+        return None
+    deadband, quantum, hold, age = (float(options[name]) for name in ("deadband", "quantum", "hold", "age"))
+    finite = math.isfinite(quantum) and math.isfinite(age)
+    if not (finite and 0.0 <= deadband < 1.0 and quantum >= 0.0 and 1 <= hold < ROUNDED and age > 0.0):
+        raise ValueError(f"codec is {options!r}")
+    return Codec(deadband=deadband, quantum=quantum, hold=int(hold), age=age)
+
+
 def _setup(event: RecordedEvent) -> Setup:
     said = event.fields
     try:
@@ -317,6 +330,7 @@ def _setup(event: RecordedEvent) -> Setup:
             seeds=None if said.get("seeds") is None else tuple(map(float, said["seeds"])),
             allowance=float(said.get("allowance", 0.0)),
             law=str(said.get("law", "spring")),
+            codec=_codec(said.get("codec")),
         )
     except (KeyError, TypeError, ValueError) as error:
         raise RecordingError(f"a setup of the recording cannot be read: {error!r}") from None

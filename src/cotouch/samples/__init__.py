@@ -5,7 +5,9 @@ from cotouch.samples._ages import AgeWindow, LinkAges
 from cotouch.samples._agreement import Agreement, Progress
 from cotouch.samples._assembly import Assembly
 from cotouch.samples._budget import MOST_AGE, BudgetAgreement
-from cotouch.samples._codec import Chunk, Codec, Heading, Written
+from cotouch.samples._chunk import Chunk, Coded, Heading, Written
+from cotouch.samples._codec import Codec
+from cotouch.samples._coded import CodedLink
 from cotouch.samples._emulated_path import EmulatedPath, PathLaw
 from cotouch.samples._impaired import ImpairedTransport
 from cotouch.samples._indexed import IndexedAssembly
@@ -38,6 +40,8 @@ __all__ = [
     "BudgetAgreement",
     "Chunk",
     "Codec",
+    "Coded",
+    "CodedLink",
     "DirectionKeys",
     "EmulatedPath",
     "Encoding",

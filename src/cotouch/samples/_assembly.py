@@ -7,7 +7,7 @@ import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.peer import NO_HEADER, LinkHeader, LinkState, Message, Sample
-from cotouch.samples._codec import Chunk
+from cotouch.samples._chunk import Chunk
 from cotouch.samples._layout import Layout
 from cotouch.samples._refusal import Refusal
 
@@ -48,6 +48,7 @@ class Assembly:
         if layout.fields or layout.scalars:
             self._fields = np.zeros((layout.fields, layout.rows, layout.width))
             self.message = self._fields.reshape(layout.fields, layout.rows * layout.width), np.zeros(layout.scalars)
+        self._content: int | None = None
         self._whole = False
         # Where each chunk goes; none with a basis, which spreads every number over all rows.
         spans = [] if layout.basis is not None else [layout.span(chunk) for chunk in range(layout.chunks)]
@@ -101,6 +102,7 @@ class Assembly:
             self._fields[:, self._layout.span(at), : self._layout.axes] = chunk.fields
             if step >= self.newest:
                 self.message[1][:] = chunk.scalars
+                self._content = chunk.content
         self.indices[at] = step
         self.stamps[at] = stamp
         self.headers[at] = heading.header
@@ -141,5 +143,6 @@ class Assembly:
                 position=self.state,
                 header=self.header,
                 message=self.message,
+                content=self._content,
             )
         return self._chosen

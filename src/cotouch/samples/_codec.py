@@ -9,27 +9,36 @@
     numbers of the link's law, float64 each | rows × axes numbers |
     fields of the law × rows × axes: float64 of those that are sums, then float32 of the others
 
+With a perceptual codec, what follows the head is a content of those rows (`cotouch.peer.ContentForm`), or, of no rows,
+one byte for all of them: since how many steps they go on as was said. Most of those are 41 bytes in all, while there
+is nothing else to say::
+
+    version u8 | coding u8 | epoch u32 | sender u16 | guard: state u8 | epoch u8 | known epoch u8 | starved u8 |
+    index u64 | stamp float64 | T float32 | given float64 | since u8
+
 Nothing in it raises: what cannot be right is refused with a reason.
 """
 
 import struct
-from typing import NamedTuple, final
+from math import copysign
+from typing import final
 
 import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.peer import LinkHeader, LinkState, Message
+from cotouch.peer import FULL, ROUNDED, LinkHeader, LinkState, Message, Sample
+from cotouch.samples._chunk import AGED, BRIEF, ECHO, RENEW, Chunk, Coded, Heading, Written
 from cotouch.samples._layout import ENCODINGS, HEAD_BYTES, Layout
 from cotouch.samples._refusal import Refusal
 
-VERSION = 4
-ECHO = 1  # echo and held mean something
-AGED = 2  # age and worst mean something
-RENEW = 4  # the sender would like new keys
+VERSION = 5
 _FLAGS = ECHO | AGED | RENEW
 _HEAD = struct.Struct("<BBHIHHIIIQdddddddBBBB")
 assert _HEAD.size == HEAD_BYTES
+# What the head's coding says besides encodings.
+_CODED, _BRIEF_CODED = 3, 4
+_BRIEF = struct.Struct("<BBIHBBBBQdfdB")
 # 2^40 steps are 34 years at 1 kHz; a clock beyond 1e10 s is not one; no step takes longer than 10 s.
 _LAST_INDEX = 1 << 40
 _LAST_TIME = 1e10
@@ -37,77 +46,6 @@ _LONGEST_STEP = 10.0
 _MOST_GIVEN = 1e12  # [J]
 _MOST_OF_LAW = 1e12  # of any number that a link law sends, in its own unit
 _FEW = 16
-_SIGN = 87  # byte with the sign of what was given, for -0 is not below 0
-
-
-_PLAIN = LinkHeader()
-
-
-class Heading(NamedTuple):
-    """What a datagram says besides the state.
-
-    Attributes:
-        epoch: of the session: which members, links and layout.
-        sender: index of the user.
-        step: its index, k.
-        stamp: middle of the step, on the sender's clock [s].
-        T: length of the step [s].
-        flags: `ECHO`, `AGED`, `RENEW`.
-        received_newest: greatest sequence number that the sender opened of the addressee's, modulo 2^32.
-        received_count: how many datagrams of the addressee it opened, modulo 2^32.
-        echo: newest stamp that the sender has of the addressee, on the addressee's clock [s].
-        held: how long ago that arrived, on the sender's clock [s].
-        age: end of the sender's step minus the oldest stamp in use, each on its own clock; so the age plus an unknown
-            offset [s].
-        worst: greatest of these in the sender's window [s].
-        header: of the sender's guard of this link; see `cotouch.peer.LinkGuard`.
-    """
-
-    epoch: int
-    sender: int
-    step: int
-    stamp: float
-    T: float
-    flags: int = 0
-    received_newest: int = 0
-    received_count: int = 0
-    echo: float = 0.0
-    held: float = 0.0
-    age: float = 0.0
-    worst: float = 0.0
-    header: LinkHeader = _PLAIN
-
-
-class Chunk(NamedTuple):
-    """A datagram that can be used.
-
-    Attributes:
-        heading: what it says besides.
-        chunk: which one of the layout.
-        values: as on the wire, (rows of the chunk, axes).
-        scalars: of the link's law, (scalars,); None: it says nothing.
-        fields: likewise, of these rows, (fields, rows of the chunk, axes).
-    """
-
-    heading: Heading
-    chunk: int
-    values: npt.NDArray[np.floating]
-    scalars: Float | None = None
-    fields: Float | None = None
-
-
-class Written(NamedTuple):
-    """A state as it goes over the wire, the same to every neighbour.
-
-    Attributes:
-        bodies: of each chunk.
-        state: what the receivers will see, (rows, width).
-        error: greatest |state - x̂| of each chunk; of the only chunk over all rows where a basis is used.
-    """
-
-    bodies: list[bytes]
-    state: Float
-    error: Float
 
 
 @final
@@ -117,6 +55,9 @@ class Codec:
     def __init__(self, layout: Layout) -> None:
         self.layout = layout
         self._encoding, self._axes, self._chunk = ENCODINGS.index(layout.encoding), layout.axes, layout.chunk
+        self._form = layout.form
+        if self._form is not None:
+            self._encoding = _CODED
         self._wire = layout.dtype
         self._item = layout.dtype.itemsize * layout.axes
         self._spans = [layout.span(chunk) for chunk in range(layout.chunks)]
@@ -126,7 +67,10 @@ class Codec:
         self._says = bool(layout.fields or layout.scalars)
         self._coarse = list(layout.coarse)
         self._sums = [field for field in range(layout.fields) if field not in layout.coarse]
-        self._sizes = [self._head + count * (self._item + layout.row_bytes) for _, count in self._places]
+        self._sizes = [{self._head + count * (self._item + layout.row_bytes)} for _, count in self._places]
+        if self._form is not None:
+            kinds, axes = (FULL, ROUNDED), layout.axes
+            self._sizes = [{HEAD_BYTES + self._form.size(k, n * axes) for k in kinds} for _, n in self._places]
         # Rounding is monotone: what is within the limit before it is within the rounded limit after it.
         self._bits = np.dtype(f"<u{self._wire.itemsize}")
         self._unsigned = self._bits.type((1 << 8 * self._wire.itemsize - 1) - 1)
@@ -186,9 +130,40 @@ class Codec:
             told: what the link's law says with it.
         """
         first, rows = self._places[chunk]
+        head = self._pack(heading, first, rows)
+        return head + told[0] + body + told[1]
+
+    def coded(self, heading: Heading, chunk: int | None, data: bytes, *, brief: bool = False) -> bytes:
+        """The datagram of what a perceptual codec says, still open.
+
+        Args:
+            heading: what the datagram says besides.
+            chunk: which part of the state; None: all of it goes on.
+            data: of the encoder.
+            brief: whether of the heading goes only what no step can do without; of all that goes on.
+        """
+        if brief:
+            state, guard, known, given, starved = heading.header
+            words = (
+                heading.epoch,
+                heading.sender,
+                state,
+                guard,
+                known,
+                starved,
+                heading.step,
+                heading.stamp,
+                heading.T,
+                given,
+            )
+            return _BRIEF.pack(VERSION, _BRIEF_CODED, *words, data[0])
+        first, rows = (0, 0) if chunk is None else self._places[chunk]
+        return self._pack(heading, first, rows) + data
+
+    def _pack(self, heading: Heading, first: int, rows: int) -> bytes:
         epoch, sender, step, stamp, T, flags, newest, count, echo, held, age, worst, header = heading
         state, guard, known, given, starved = header
-        head = _HEAD.pack(
+        return _HEAD.pack(
             VERSION,
             self._encoding,
             flags,
@@ -211,16 +186,17 @@ class Codec:
             known,
             starved,
         )
-        return head + told[0] + body + told[1]
 
-    def read(self, payload: bytes, *, epoch: int, sender: int) -> Chunk | Refusal:
-        """The chunk in a datagram, or why it is of no use.
+    def read(self, payload: bytes, *, epoch: int, sender: int) -> Chunk | Coded | Refusal:
+        """The chunk in a datagram, or what a codec says of one, or why it is of no use.
 
         Args:
             payload: as it was opened.
             epoch: of the session, now.
             sender: whose link it came by.
         """
+        if len(payload) == _BRIEF.size and payload[1] == _BRIEF_CODED and self._form is not None:
+            return self._read_brief(payload, epoch=epoch, sender=sender)
         if len(payload) < HEAD_BYTES:
             return Refusal.SHORT
         (
@@ -257,9 +233,15 @@ class Codec:
         if user != sender:
             return Refusal.SENDER
         chunk, rest = divmod(first, self._chunk)
-        if rest or chunk >= len(self._spans) or count != self._places[chunk][1]:
+        if self._form is not None and first == count == 0:
+            chunk = None
+            if len(payload) != HEAD_BYTES + 1:
+                return Refusal.SIZE
+            if not 1 <= payload[-1] <= self._form.codec.hold:
+                return Refusal.RANGE
+        elif rest or chunk >= len(self._spans) or count != self._places[chunk][1]:
             return Refusal.RANGE
-        if len(payload) != self._sizes[chunk]:
+        elif len(payload) not in self._sizes[chunk]:
             return Refusal.SIZE
         if index > _LAST_INDEX:
             return Refusal.INDEX
@@ -268,13 +250,15 @@ class Codec:
         times = times and abs(echo) <= _LAST_TIME and 0.0 <= held <= _LAST_TIME
         if not (times and -2.0 * _LAST_TIME <= age <= worst <= 2.0 * _LAST_TIME):
             return Refusal.TIME
-        if state > LinkState.COUPLED or starved > 1 or payload[_SIGN] & 0x80 or not given <= _MOST_GIVEN:
+        if not _of_guard(state, given, starved):
             return Refusal.GUARD
+        header = LinkHeader(state, guard, known, given, bool(starved))
+        heading = Heading(said, user, index, stamp, T, flags, newest, received, echo, held, age, worst, header)
+        if chunk is None or self._form is not None:
+            return Coded(heading, chunk, payload[HEAD_BYTES:])
         values = np.frombuffer(payload, self._wire, count * self._axes, self._head)
         if not self._within(values):
             return Refusal.STATE
-        header = LinkHeader(state, guard, known, given, bool(starved))
-        heading = Heading(said, user, index, stamp, T, flags, newest, received, echo, held, age, worst, header)
         values = values.reshape(count, self._axes)
         if not self._says:
             return Chunk(heading, chunk, values)
@@ -291,6 +275,44 @@ class Codec:
             return Refusal.LAW
         return Chunk(heading, chunk, values, scalars, fields)
 
+    def _read_brief(self, payload: bytes, *, epoch: int, sender: int) -> Coded | Refusal:
+        version, _, said, user, state, guard, known, starved, index, stamp, T, given, since = _BRIEF.unpack(payload)
+        assert self._form is not None
+        if version != VERSION:
+            return Refusal.VERSION
+        if said != epoch:
+            return Refusal.EPOCH
+        if user != sender:
+            return Refusal.SENDER
+        if not 1 <= since <= self._form.codec.hold:
+            return Refusal.RANGE
+        if index > _LAST_INDEX:
+            return Refusal.INDEX
+        if not (abs(stamp) <= _LAST_TIME and 0.0 < T <= _LONGEST_STEP):
+            return Refusal.TIME
+        if not _of_guard(state, given, starved):
+            return Refusal.GUARD
+        header = LinkHeader(state, guard, known, given, bool(starved))
+        return Coded(Heading(said, user, index, stamp, T, BRIEF, header=header), None, payload[-1:])
+
+    def decoded(self, heading: Heading, chunk: int, sample: Sample) -> Chunk | Refusal:
+        """The chunk that a decoder found, if it is within what anybody takes.
+
+        Args:
+            heading: of the datagram that it was in.
+            chunk: which part of the state.
+            sample: of its rows.
+        """
+        assert sample.message is not None
+        fields, scalars = sample.message
+        if not self._within(sample.position.reshape(-1)):
+            return Refusal.STATE
+        if not (_usable(scalars) and _usable(fields)):
+            return Refusal.LAW
+        head = heading._replace(step=sample.index, stamp=sample.stamp, header=sample.header)
+        told = fields.reshape(self.layout.fields, *sample.position.shape)
+        return Chunk(head, chunk, sample.position, scalars, told, sample.content)
+
     def _within(self, values: npt.NDArray[np.floating]) -> bool:
         """Whether all numbers are finite and within the limit."""
         if values.size <= _FEW:  # the reader's own numbers cost less than a call about all of them
@@ -303,6 +325,11 @@ class Codec:
         # Without their sign, floating point numbers are ordered as their bits are, infinity and NaN above all others;
         # and integers raise no flags, whatever is in them.
         return int((values.view(self._bits) & self._unsigned).max()) <= self._limit
+
+
+def _of_guard(state: int, given: float, starved: int) -> bool:
+    """Whether a guard can be so; false for -0, which is not below 0."""
+    return state <= LinkState.COUPLED and starved <= 1 and copysign(1.0, given) > 0.0 and given <= _MOST_GIVEN
 
 
 def _usable(numbers: Float) -> bool:

@@ -8,6 +8,7 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.errors import SessionError
+from cotouch.peer import FULL, ContentForm
 from cotouch.samples._seal import OVERHEAD
 from cotouch.samples._transport import MOST_BYTES
 
@@ -36,6 +37,7 @@ class Layout:
         fields: of a link law, that travel beside the state, as the rows that they belong to.
         coarse: which of them are no sums, so that they travel as float32: an error of now is no error of later.
         scalars: numbers of a link law that travel with every chunk.
+        form: of what a perceptual codec sends in full; None: there is none.
         basis: columns in which the state is sent, (rows, coordinates), of full rank; none: the rows themselves.
         sent: rows that travel: all of them, or as many as there are coordinates.
         chunk: rows in a chunk; the last one may be shorter.
@@ -49,6 +51,7 @@ class Layout:
     fields: int = 0
     coarse: tuple[int, ...] = ()
     scalars: int = 0
+    form: ContentForm | None = None
     basis: Float | None = None
     sent: int = field(init=False)
     chunk: int = field(init=False)
@@ -64,9 +67,15 @@ class Layout:
             raise SessionError(f"limit is {self.limit}; {self.encoding} takes one between 0 and {most:.6g}")
         if (self.fields or self.scalars) and (self.encoding != "float64" or self.basis is not None):
             raise SessionError("what a link law sends goes beside rows as float64; leave coding and basis out")
+        if self.form is not None and (self.encoding != "float64" or self.basis is not None):
+            raise SessionError("a perceptual codec has numbers of its own on the wire; leave coding and basis out")
         if not set(self.coarse) <= set(range(self.fields)):
             raise SessionError(f"{self.fields} fields have no coarse ones {self.coarse}")
-        room = max(_ROOM - 8 * self.scalars, 0) // (self.axes * self.dtype.itemsize + self.row_bytes)
+        fixed, each = 8 * self.scalars, self.axes * self.dtype.itemsize + self.row_bytes
+        if self.form is not None:
+            fixed = self.form.size(FULL, 0)
+            each = self.axes * (self.form.size(FULL, 1) - fixed)
+        room = max(_ROOM - fixed, 0) // each
         if room < 1:
             raise SessionError(f"{self.fields} fields and {self.scalars} numbers of a link law do not fit a datagram")
         sent = self.rows

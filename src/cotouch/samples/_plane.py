@@ -2,19 +2,23 @@
 
 from collections import Counter
 from collections.abc import Hashable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import final
 
+from cotouch.arrays import Float
 from cotouch.errors import SessionError
 from cotouch.peer import LawLink, LinkGuard, Sample
 from cotouch.samples._ages import LinkAges
 from cotouch.samples._assembly import Assembly
-from cotouch.samples._codec import AGED, ECHO, RENEW, Chunk, Codec, Heading, Written
+from cotouch.samples._chunk import AGED, BRIEF, ECHO, RENEW, Chunk, Coded, Heading, Written
+from cotouch.samples._codec import Codec
+from cotouch.samples._coded import CodedLink
 from cotouch.samples._indexed import IndexedAssembly
 from cotouch.samples._layout import Layout
 from cotouch.samples._rate import SendRate
 from cotouch.samples._refusal import Refusal
 from cotouch.samples._seal import SealedLink, connection_of
+from cotouch.samples._sent import Sent
 from cotouch.samples._transport import Arrival, Transport
 
 # Reading goes on for a little after the clock was read. What came later than this came while the process stood still,
@@ -36,6 +40,10 @@ class SampleLink:
         asked: whether the other end asks for new keys.
         guard: what keeps this end passive; its words go with every datagram. None: this end says it is coupled.
         law: what the link does instead of a guarded spring; its words go with every datagram.
+        coded: its perceptual codec, where the session has one.
+        said: how it said the last step's sample: 0 in full numbers, 255 rounded, else since how many steps it goes on;
+            -1: it was not sent.
+        sent: what goes to the neighbour a second.
         ahead: what the neighbour's samples seem older than they are, because clocks differ, as the quickest echo of the
             last seconds says with ways there and back that take the same; 0 before [s].
     """
@@ -48,10 +56,13 @@ class SampleLink:
     asked: bool = False
     guard: LinkGuard | None = None
     law: LawLink | None = None
+    coded: CodedLink | None = None
+    said: int = -1
+    sent: Sent = field(default_factory=Sent)
     ahead: float = 0.0
     _newest: tuple[float, float] | None = None  # stamp and arrival
 
-    def note(self, chunk: Chunk, arrived: float, now: float) -> None:
+    def note(self, chunk: Chunk | Coded, arrived: float, now: float) -> None:
         """Takes what an authenticated chunk says besides its state.
 
         Args:
@@ -62,6 +73,8 @@ class SampleLink:
         _, _, step, stamp, T, flags, newest, count, echo, held, age, worst, _ = chunk.heading
         if self._newest is None or stamp > self._newest[0]:
             self._newest = (stamp, arrived)
+        if flags & BRIEF:
+            return
         self.asked = bool(flags & RENEW)
         ages = self.ages
         if flags & AGED:
@@ -214,12 +227,22 @@ class SamplePlane:
                 link.refused[chunk] += 1
                 continue
             link.note(chunk, time, now)
-            reason = link.assembly.take(chunk)
-            if reason is None:
-                useful += 1
-            else:
-                link.refused[reason] += 1
+            chunks = [chunk] if isinstance(chunk, Chunk) else self._decoded(link, chunk)
+            for one in chunks:
+                reason = link.assembly.take(one)
+                if reason is None:
+                    useful += 1
+                else:
+                    link.refused[reason] += 1
         return useful
+
+    def _decoded(self, link: SampleLink, said: Coded) -> list[Chunk]:
+        """What a link's decoder makes of a datagram."""
+        found = Refusal.ENCODING if link.coded is None else link.coded.hear(self._codec, said)
+        if isinstance(found, Refusal):
+            link.refused[found] += 1
+            return []
+        return found
 
     def _numbered(self) -> dict[int | None, tuple[int, SampleLink]]:
         """Links by the number that datagrams to this end bear."""
@@ -231,37 +254,65 @@ class SamplePlane:
             if link.assembly.complete:
                 link.ages.used(now, link.assembly.oldest)
 
-    def send(self, now: float, sample: Sample, T: float) -> Written | Refusal | None:
+    def send(self, now: float, sample: Sample, T: float, mean: Float | None = None) -> Written | Refusal | None:
         """Sends a sample to every neighbour whose turn it is.
 
         Args:
             now: [s].
             sample: what the step told.
             T: length of the step [s].
+            mean: v̂ of the step, (rows, width); links with a perceptual codec need it [m/s].
 
         Returns:
-            What was sent, with its rounding error; None if it was nobody's turn; why not, if nobody would take it.
+            What was sent, with its rounding error; None if it was nobody's turn; why not, if nobody would take it. A
+            perceptual codec's errors are not in it.
         """
         capacity, chunks, due = self._transport.capacity, self.layout.chunks, list[tuple[int, SampleLink]]()
         for neighbour, link in self.links.items():
+            link.said = -1
             link.rate.cap(capacity(neighbour) / chunks)
             if link.rate.due(now):
                 due.append((neighbour, link))
+            elif link.coded is not None and mean is not None:
+                link.coded.encoder.skip(sample.stamp, mean, T)
         if not due:
             return None
-        codec, send = self._codec, self._transport.send
-        written = codec.write(sample.position)
+        written = self._codec.write(sample.position)
         if isinstance(written, Refusal):
             self.refused[written] += 1
             return written
         for neighbour, link in due:
-            heading = link.heading(self.epoch, sample, T, now)
-            told = codec.told(None if link.law is None else link.law.message)
-            if isinstance(told, Refusal):
-                link.refused[told] += 1
-                continue
-            for chunk, body in enumerate(written.bodies):
-                sealed = link.seal.seal(codec.datagram(heading, chunk, body, told[chunk]))
-                if sealed is not None:
-                    send(neighbour, sealed)
+            self._tell(now, neighbour, link, written, link.heading(self.epoch, sample, T, now), sample, mean)
         return written
+
+    def _tell(
+        self,
+        now: float,
+        neighbour: int,
+        link: SampleLink,
+        written: Written,
+        heading: Heading,
+        sample: Sample,
+        mean: Float | None,
+    ) -> None:
+        """Sends a sample to one neighbour."""
+        codec, seal, send, coded = self._codec, link.seal.seal, self._transport.send, link.coded
+        message = None if link.law is None else link.law.message
+        told = codec.told(message)
+        if isinstance(told, Refusal):
+            link.refused[told] += 1
+            return
+        if coded is None:
+            datagrams = [codec.datagram(heading, chunk, body, told[chunk]) for chunk, body in enumerate(written.bodies)]
+        else:
+            assert mean is not None
+            exact = link.guard is not None and not link.guard.tolerant
+            datagrams = coded.say(codec, heading, replace(sample, message=message), mean, heading.T, exact=exact)
+            link.said = coded.encoder.said
+        size = 0
+        for datagram in datagrams:
+            sealed = seal(datagram)
+            if sealed is not None:
+                send(neighbour, sealed)
+                size += len(sealed)
+        link.sent.add(now, len(datagrams), size, size if coded is None else coded.full)

@@ -25,5 +25,6 @@ class Refusal(Enum):
     GUARD = "a guard's state that there is not"
     LAW = "numbers of a link law that are not finite or beyond all use"
     STATE = "a state that is not finite or beyond the session's limit"
+    BASELESS = "goes on from a sample that did not come"
     STALE = "older than what is held"
     BACKWARDS = "a later step with an earlier stamp"

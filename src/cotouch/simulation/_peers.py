@@ -16,6 +16,7 @@ from cotouch.interrupt import check
 from cotouch.mechanics import Ports
 from cotouch.peer import (
     ConstantLink,
+    ContentForm,
     CopyMemory,
     Decoder,
     Encoder,
@@ -34,11 +35,12 @@ from cotouch.simulation._prepare import Prepared
 @final
 @dataclass(frozen=True)
 class Packet:
-    """What a sender's codec makes of a sample: number of its step, its stamp [s], and bytes."""
+    """What a sender's codec makes of a sample: number of its step, its stamp and length [s], and bytes."""
 
     sender: int
     step: int
     stamp: float
+    T: float
     data: bytes
 
 
@@ -96,11 +98,13 @@ class _World:
         if asked is None or law is None:
             return
         budget, longest = age_budget(prepared.scenario, self.timing, law.law, 1.0), self.timing.longest()
-        shape = prepared.model.operator_rows, prepared.model.width
+        form, ready = ContentForm(asked.codec, law.law), prepared.model
+        rows, axes = ready.operator_rows, 1 if ready.full else ready.body.dimension
         for s, (i, j) in enumerate(zip(slots.receiver.tolist(), slots.sender.tolist(), strict=True)):
             window = float(budget[i, j] + longest[i] + longest[j])
-            self.encoders.append(Encoder(asked.codec, law.law, law.weight[s], shape, window))
-            self.decoders[i, j] = Decoder(asked.codec, law.law, shape, j)
+            weight = law.weight[s].reshape(rows, ready.width)[:, :axes].ravel()
+            self.encoders.append(Encoder(form, weight, (rows, axes), window))
+            self.decoders[i, j] = Decoder(form, (rows, axes), j, width=ready.width)
 
     def _peer(self, i: int) -> Peer:
         prepared, timing, hands = self.prepared, self.timing, self.prepared.hands
@@ -220,7 +224,7 @@ class _World:
         while self.queue and self.queue[0][0] <= now:
             _, _, receiver, said = heapq.heappop(self.queue)
             if isinstance(said, Packet):
-                said = self.decoders[receiver, said.sender].decode(said.step, said.stamp, said.data)
+                said = self.decoders[receiver, said.sender].decode(said.step, said.stamp, said.T, said.data)
             if said is not None:
                 self.peers[receiver].receive(said)
 
@@ -245,8 +249,8 @@ class _World:
         j = sample.sender
         last, before = self.position[j][-1], self.position[j][-2]
         T = float(self.timing.length[j, sample.index])
-        data = self.encoders[s].encode(sample, (last - before) / T, T)
-        return Packet(j, sample.index, sample.stamp, data)
+        data = self.encoders[s].encode(sample, (last - before) / T, T)[0]
+        return Packet(j, sample.index, sample.stamp, T, data)
 
     def _step(self, peer: Peer, now: float, T: float) -> Sample:
         i, hands = peer.index, self.prepared.hands

@@ -1,4 +1,4 @@
-/*! cotouch animation; sources 80a45ee0ff01f0db750e8e9d0818a10c87255b1204ceeb94ffdf525c9e907d64; with three.js:
+/*! cotouch animation; sources 09202811e70210d13723521f1d080f0f8b13cc33cf5b9a7e35945d8ba62898a8; with three.js:
 The MIT License
 
 Copyright © 2010-2026 three.js authors

@@ -1,0 +1,264 @@
+"""What a perceptual codec sends in full, and how both ends go on from it.
+
+A *content* is what a sample holds, x̂ and its law's message, with the rates at which sums among them grow. In full
+numbers, and in steps of a quantum, little-endian::
+
+    0 u8   | x̂ and sums f8 | values f4 | rates of sums f4 | energies f8, others f8 | rates of energies f4
+    255 u8 | x̂ and sums i4 | values i4 | rates of sums f4 | energies i4, others f8 | rates of energies f2
+
+Sums that only grow are sent whole, never as differences: whatever is lost, the next content makes up for. Values lose
+no more than single precision has, towards zero; rates are guesses that both ends share.
+"""
+
+from dataclasses import dataclass
+from typing import Any, final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.arrays import Float
+from cotouch.laws import Law
+
+# First byte: a content in full numbers, one in steps of the quantum; between them, since how many steps it goes on.
+FULL, ROUNDED = 0, 255
+MOST_HOLD = ROUNDED - 1
+_LARGEST = 2**31 - 1
+_FASTEST = float(np.finfo(np.float32).max)
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
+class Codec:
+    """How a sender saves bytes.
+
+    Attributes:
+        deadband: share of a value, or of a sum's growth since the last content, that is not worth saying, 0 to below 1.
+        quantum: numbers of fields are rounded to multiples of this, and energies down; 0: they are not [SI units].
+        hold: a content is sent at least every so many steps, 1 to 254.
+        age: of a law that needs damping for the age of samples, errors are paid for by as much damping more as samples
+            that much older would need, > 0 [s].
+    """
+
+    deadband: float
+    quantum: float = 0.0
+    hold: int = 20
+    age: float = 1e-3
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Content:
+    """What is said in full.
+
+    Attributes:
+        index: of the step.
+        stamp: of the step [s].
+        fields: x̂ and the law's, (1 + fields, size).
+        rates: of the sums among them, (sums, size) [1/s].
+        scalars: the law's numbers.
+        flow: rates of the energies among those [W].
+    """
+
+    index: int
+    stamp: float
+    fields: Float
+    rates: Float
+    scalars: Float
+    flow: Float
+
+    def part(self, elements: slice) -> "Content":
+        """Of some elements alone, with all numbers.
+
+        Args:
+            elements: which.
+        """
+        return Content(
+            index=self.index,
+            stamp=self.stamp,
+            fields=self.fields[:, elements],
+            rates=self.rates[:, elements],
+            scalars=self.scalars,
+            flow=self.flow,
+        )
+
+
+@final
+class ContentForm:
+    """What contents of a law hold, and their bytes.
+
+    Attributes:
+        codec: how the sender saves bytes.
+        law: of the links.
+        sums: which fields go on at their rate, x̂ first.
+        values: which do not.
+        energies: which numbers are energies.
+        others: which are not; the length of a step is not in it, for every sample says its own.
+        counts: which of the others must be exact.
+        length: which number is the length of the step; -1: none.
+    """
+
+    def __init__(self, codec: Codec, law: Law) -> None:
+        """Looks at what a law sends.
+
+        Args:
+            codec: how.
+            law: of the links.
+        """
+        sends, told = law.sends, law.sends_scalars
+        self.codec, self.law = codec, law
+        self.fields, self.scalars = 1 + len(sends), len(told)
+        self.sums = np.array([0, *(1 + sends.index(name) for name in law.sums)])
+        self.values = np.array([1 + at for at, name in enumerate(sends) if name not in law.sums], dtype=np.int64)
+        self.energies = np.array([told.index(name) for name in law.energies], dtype=np.int64)
+        self.length = -1 if law.length is None else told.index(law.length)
+        others = [at for at in range(len(told)) if at not in self.energies and at != self.length]
+        self.others = np.array(others, dtype=np.int64)
+        self.counts = np.array([told.index(name) for name in law.counts], dtype=np.int64)
+        self._order = np.concatenate([self.sums, self.values])
+
+    def size(self, kind: int, elements: int) -> int:
+        """Bytes of a content.
+
+        Args:
+            kind: `FULL` or `ROUNDED`.
+            elements: of each field.
+        """
+        sums, values, energies = self.sums.size, self.values.size, self.energies.size
+        if kind == FULL:
+            return 1 + elements * (12 * sums + 4 * values) + 8 * self.others.size + 12 * energies
+        return 1 + elements * (8 * sums + 4 * values) + 6 * energies + 8 * self.others.size
+
+    def exact(self, content: Content) -> Content:
+        """As it is read, if it is sent in full numbers: sums and numbers are as they were.
+
+        Args:
+            content: the truth.
+        """
+        fields = content.fields.copy()
+        fields[self.values] = _towards_zero(fields[self.values], "<f4")
+        return Content(
+            index=content.index,
+            stamp=content.stamp,
+            fields=fields,
+            rates=_guess(content.rates),
+            scalars=content.scalars,
+            flow=_towards_zero(content.flow, "<f4"),
+        )
+
+    def rounded(self, content: Content) -> Content | None:
+        """As it is read, if it is sent in steps of the quantum; None where it does not fit.
+
+        Sums are rounded to the nearest, energies down and values towards zero, so that nobody gets more than was given.
+
+        Args:
+            content: the truth.
+        """
+        quantum = self.codec.quantum
+        steps, paid = content.fields / quantum, content.scalars[self.energies] / quantum
+        steps[self.sums], steps[self.values] = np.rint(steps[self.sums]), np.trunc(steps[self.values])
+        down = np.floor(paid)
+        down -= down * quantum > content.scalars[self.energies]  # a product may round to just above the truth
+        flow = _towards_zero(content.flow, "<f2")
+        if not (_whole(steps) and _whole(down) and np.isfinite(flow).all()):
+            return None
+        scalars = content.scalars.copy()
+        scalars[self.energies] = down * quantum
+        return Content(
+            index=content.index,
+            stamp=content.stamp,
+            fields=steps * quantum,
+            rates=_guess(content.rates),
+            scalars=scalars,
+            flow=flow,
+        )
+
+    def pack(self, content: Content, kind: int) -> bytes:
+        """Its bytes.
+
+        Args:
+            content: as it is to be read.
+            kind: `FULL` or `ROUNDED`, as which it was made.
+        """
+        fields, scalars, quantum = content.fields, content.scalars, self.codec.quantum
+        if kind == FULL:
+            parts = (fields[self.sums], "<f8"), (fields[self.values], "<f4"), (content.rates, "<f4")
+            parts += (scalars[self.energies], "<f8"), (scalars[self.others], "<f8"), (content.flow, "<f4")
+        else:
+            parts = (np.rint(fields[self._order] / quantum), "<i4"), (content.rates, "<f4")
+            parts += (np.rint(scalars[self.energies] / quantum), "<i4"), (scalars[self.others], "<f8")
+            parts += ((content.flow, "<f2"),)
+        return bytes([kind]) + b"".join(values.astype(kind_).tobytes() for values, kind_ in parts)
+
+    def read(self, data: bytes, elements: int, index: int, stamp: float) -> Content | None:
+        """The content in bytes; None of what is none.
+
+        Args:
+            data: from the network.
+            elements: of each field.
+            index: of the step.
+            stamp: of the step [s].
+        """
+        kind = data[0] if data else None
+        if kind not in {FULL, ROUNDED} or len(data) != self.size(kind, elements):
+            return None
+        quantum = self.codec.quantum
+        if kind == ROUNDED and not quantum > 0.0:
+            return None
+        at = 1
+
+        def take(count: int, form: str) -> Float:
+            nonlocal at
+            values = np.frombuffer(data, form, count, at)
+            at += values.nbytes
+            return values.astype(np.float64)
+
+        fields, scalars = np.empty((self.fields, elements)), np.zeros(self.scalars)
+        sums, values, energies = self.sums.size, self.values.size, self.energies.size
+        if kind == FULL:
+            fields[self.sums] = take(sums * elements, "<f8").reshape(sums, elements)
+            fields[self.values] = take(values * elements, "<f4").reshape(values, elements)
+            rates = take(sums * elements, "<f4").reshape(sums, elements)
+            scalars[self.energies] = take(energies, "<f8")
+        else:
+            fields[self._order] = take(self.fields * elements, "<i4").reshape(self.fields, elements) * quantum
+            rates = take(sums * elements, "<f4").reshape(sums, elements)
+            scalars[self.energies] = take(energies, "<i4") * quantum
+        scalars[self.others] = take(self.others.size, "<f8")
+        flow = take(energies, "<f4" if kind == FULL else "<f2")
+        if not all(np.isfinite(numbers).all() for numbers in (fields, rates, scalars, flow)):
+            return None
+        return Content(index=index, stamp=stamp, fields=fields, rates=rates, scalars=scalars, flow=flow)
+
+    def at(self, content: Content, stamp: float, T: float) -> tuple[Float, Float]:
+        """Fields and numbers as both ends continue them.
+
+        Args:
+            content: as it was read.
+            stamp: until when [s].
+            T: length of the step [s].
+        """
+        passed = stamp - content.stamp
+        fields, scalars = content.fields.copy(), content.scalars.copy()
+        fields[self.sums] += passed * content.rates
+        scalars[self.energies] += passed * content.flow
+        if self.length >= 0:
+            scalars[self.length] = T
+        return fields, scalars
+
+
+def _whole(steps: Float) -> bool:
+    return bool((np.abs(steps) <= _LARGEST).all())  # also of what is not a number
+
+
+def _guess(rates: Float) -> Float:
+    """Rates as single precision says them: half of it would be too little for a sum of sums."""
+    return np.clip(rates, -_FASTEST, _FASTEST).astype("<f4").astype(np.float64)
+
+
+def _towards_zero(values: Float, form: str) -> Float:
+    """Values as fewer digits say them, never larger than they are."""
+    with np.errstate(all="ignore"):
+        said: npt.NDArray[Any] = values.astype(form)
+        over = np.abs(said.astype(np.float64)) > np.abs(values)
+        said[over] = np.nextafter(said[over], said.dtype.type(0.0))
+        return said.astype(np.float64)
