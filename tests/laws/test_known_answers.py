@@ -13,8 +13,8 @@ from tests.laws.scenes import PASSIVE, law_of, two
 
 from cotouch.laboratory import Study, books, impedance, searched, touching, trial
 from cotouch.laws import PAID, TANK, End, Facts, Tone, copy, given_power, laws, register
-from cotouch.laws._paid import _past, _then  # pyright: ignore[reportPrivateUsage]
 from cotouch.laws._paid_hand import COUNT, EVERY, KEPT, PAST, TIME, TIMES
+from cotouch.laws._paid_other import past, place_then
 from cotouch.scenario import Scenario
 from cotouch.simulation import judge, prepare, run_batch, simulate, with_law
 
@@ -458,6 +458,6 @@ def test_paid_knows_where_what_swings_was_between_what_it_kept() -> None:
     numbers[COUNT], numbers[TIME], numbers[TIMES:] = KEPT, times[-1], times
     end: Any = SimpleNamespace(T=0.0, shared=shared, shared_scalars=numbers)
     for when in (times[0] + 0.0017 * step for step in range(295)):
-        x, v = _then.py_func(end, *_past.py_func(end, when), 0)  # pyright: ignore[reportFunctionMemberAccess]
+        x, v = place_then.py_func(end, *past.py_func(end, when), 0)  # pyright: ignore[reportFunctionMemberAccess]
         assert x == pytest.approx(np.sin(omega * when), abs=0.005)
         assert v == pytest.approx(omega * np.cos(omega * when), abs=0.03 * omega)
