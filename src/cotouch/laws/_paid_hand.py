@@ -129,7 +129,8 @@ def book_copy(end: End) -> None:
                 numbers[NEW_K], numbers[NEW_B], numbers[STEADY] = k, damping, 0.0
             else:
                 numbers[STEADY] += T
-    numbers[GRASPED] = 1.0 if changed else 0.0
+    # What touches is not made up: a copy that its own user presses meanwhile would be pushed against that one.
+    numbers[GRASPED] = 1.0 if changed and not as_one else 0.0
     numbers[HELD], numbers[AS_ONE] = held, kind
     k, damping = numbers[NEW_K], numbers[NEW_B]
     jump = numbers[STEADY] >= (_FIRST if numbers[K] == 0.0 else _HOLD) and _other(
