@@ -130,7 +130,7 @@ def book_copy(end: End) -> None:
             else:
                 numbers[STEADY] += T
     # What touches is not made up: a copy that its own user presses meanwhile would be pushed against that one.
-    numbers[GRASPED] = 1.0 if changed and not as_one else 0.0
+    numbers[GRASPED] = 1.0 if changed and (held == 0.0 or not as_one) else 0.0
     numbers[HELD], numbers[AS_ONE] = held, kind
     k, damping = numbers[NEW_K], numbers[NEW_B]
     jump = numbers[STEADY] >= (_FIRST if numbers[K] == 0.0 else _HOLD) and _other(
