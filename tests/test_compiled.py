@@ -387,3 +387,57 @@ def test_a_constant_in_a_call_compiles_nothing_once_more():
 
     assert summed(1) == 3 + 7 + 8
     assert len(doubled.signatures) == 1  # type: ignore[attr-defined]
+
+
+COPIED = """
+from cotouch.mechanics._kernel import inner, kernel
+
+@inner
+def halved(x):
+    if x > 100.0:
+        print("much", x)
+    if x < 0.0:
+        raise ValueError("less than nothing")
+    return 0.5 * x
+
+@kernel
+def quartered(x):
+    return halved(halved(x))
+
+@kernel
+def eighth(x):
+    return halved(quartered(x))
+"""
+
+
+def test_what_only_kernels_call_has_no_machine_code(tmp_path: Path):
+    """It is kept as what others copy, and finds what it needs of Python wherever it is copied to."""
+    (tmp_path / "parts.py").write_text(COPIED)
+    script = (
+        "import sys; from parts import eighth, halved, quartered\n"
+        "if sys.argv[1:]: print(quartered(8.0))\n"
+        "print(eighth(8.0), *(sum(f.stats.cache_hits.values()) for f in (eighth, quartered, halved)))\n"
+        "for f in (eighth, quartered):\n"
+        "    try: f(-1.0)\n"
+        "    except ValueError as error: print(error)\n"
+        "eighth(200.0)\n"
+    )
+
+    def ran(*options: str) -> list[str]:
+        environment = {**os.environ, "PYTHONPATH": f"{tmp_path}{os.pathsep}{PACKAGE.parent}"}
+        command = [sys.executable, "-c", script, *options]
+        found = subprocess.run(
+            command, env=environment, capture_output=True, text=True, check=True, cwd=tmp_path, timeout=60.0
+        )
+        return found.stdout.splitlines()
+
+    complaints = ["less than nothing", "less than nothing", "much 200.0"]
+    assert ran() == ["1.0 0 0 0", *complaints]
+    assert ran() == ["1.0 1 0 0", *complaints], "who called it brings it along"
+    assert ran("x") == ["2.0", "1.0 1 1 0", *complaints]
+    (whole,), (part,) = tmp_path.rglob("parts.quartered*.nbc"), tmp_path.rglob("parts.halved*.nbc")
+    assert b"\x7fELF" in whole.read_bytes()
+    assert b"\x7fELF" not in part.read_bytes()
+    for file in tmp_path.rglob("parts.quartered*.nb?"):
+        file.unlink()
+    assert ran("x") == ["2.0", "1.0 1 0 1", *complaints], "and who is compiled anew copies what was kept"

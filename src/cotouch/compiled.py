@@ -19,8 +19,9 @@ import numba
 from llvmlite import binding
 from numba.core import types
 from numba.core.caching import CompileResultCacheImpl, FunctionCache, IndexDataCacheFile, NullCache
-from numba.core.compiler import Compiler
 from numba.extending import intrinsic as numba_intrinsic
+
+from cotouch.translation import compiler, entry_of, rebuilt
 
 try:
     import fcntl
@@ -78,7 +79,7 @@ def _imported(path: Path) -> frozenset[Path]:
 
 def _sources(path: Path) -> list[Path]:
     """Files whose content decides what the kernels of one are compiled to: those that it imports, and they in turn."""
-    found, new = {path, _PACKAGE / "compiled.py"}, [path]
+    found, new = {path, _PACKAGE / "compiled.py", _PACKAGE / "translation.py"}, [path]
     while new:
         more = _imported(new.pop()) - found
         found |= more
@@ -133,19 +134,6 @@ class CacheWarning(UserWarning):
     """Machine code cannot be kept on disk, so every process compiles it anew."""
 
 
-@final
-class _Compiler(Compiler):
-    """Numba's, but a kernel of this package has one symbol in all processes, so that one may call what another made."""
-
-    def define_pipelines(self) -> Any:
-        identity: Any = self.state.func_id
-        # Two that were made inside functions may share a name; one at the top of a module has it for itself.
-        if _PACKAGE in Path(identity.filename).parents and "." not in identity.func_qualname:
-            identity.unique_id = 0
-            identity.unique_name = f"{identity.func_qualname}$0"
-        return super().define_pipelines()
-
-
 # What is at least so large, in LLVM's instructions, is called by its symbol. LLVM would not inline it either, but numba
 # would copy it into each caller, to optimise and translate it there once more.
 _LARGE = 150
@@ -165,15 +153,16 @@ class _Kept(CompileResultCacheImpl):
         needs = {
             value.name: _apart[value.name] for value in made.functions if value.is_declaration and value.name in _apart
         }
-        defined: set[str] = set()
+        defined, apart = entry_of(cres), False
         if self.apart is not None and _large(cres, self.apart):
-            defined = {value.name for value in (*made.functions, *made.global_variables) if not value.is_declaration}
+            defined |= {value.name for value in (*made.functions, *made.global_variables) if not value.is_declaration}
             code._shared_module = binding.parse_assembly("")
             _set_apart(cres)
-        return needs, defined, super().reduce(cres)
+            apart = True
+        return needs, defined, apart, super().reduce(cres)
 
     def rebuild(self, target_context: Any, payload: Any) -> Any:
-        needs, defined, kept = payload
+        needs, defined, apart, kept = payload
         for symbol, (module, name, arguments) in needs.items():
             dispatcher = getattr(importlib.import_module(module), name)
             dispatcher.compile(arguments)
@@ -181,10 +170,10 @@ class _Kept(CompileResultCacheImpl):
                 # LLVM ends the process when it misses a symbol.
                 message = f"{module}.{name} has another symbol than when this was compiled"
                 raise LookupError(message)
-        # Numba reads them from what is kept for linking, which is nothing.
+        # Numba reads them from what is kept for linking, which lacks them.
         target_context.codegen()._engine._defined_symbols |= defined
-        cres = super().rebuild(target_context, kept)
-        if defined:
+        cres = rebuilt(target_context, kept)
+        if apart:
             _set_apart(cres)
         return cres
 
@@ -374,7 +363,8 @@ def stamped(compiled: Any, *, apart: int | None = None) -> Any:
         compiled: the function.
         apart: from how many of LLVM's instructions it is called by its symbol; None: it never is.
     """
-    compiled._compiler.pipeline_class = _Compiler
+    copied = apart is None and compiled.targetoptions.get("no_cpython_wrapper", False)
+    compiled._compiler.pipeline_class = compiler(copied=copied)
     # As it is, this would compile it once more for each constant that another calls it with.
     find, plain = compiled.get_call_template, types.unliteral
     compiled.get_call_template = lambda args, kws: find(tuple(map(plain, args)), {k: plain(kws[k]) for k in kws})

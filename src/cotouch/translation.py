@@ -1,0 +1,184 @@
+# pyright: reportIncompatibleMethodOverride=false, reportPrivateUsage=false, reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false, reportUnknownParameterType=false
+# numba has no types
+"""What LLVM makes of a kernel.
+
+Numba optimises each function by itself, then again with what it calls, and makes machine code of it with an entry for
+Python; all of it is copied into each caller, where it is optimised and translated once more. A kernel that only kernels
+call needs none of that but a form that is good to copy.
+"""
+
+from pathlib import Path
+from typing import Any, final
+
+from llvmlite import binding
+from llvmlite.binding import newpassmanagers
+from numba.core.codegen import JITCodeLibrary
+from numba.core.compiler import Compiler, CompileResult
+from numba.core.environment import lookup_environment
+
+_PACKAGE = Path(__file__).parent
+# How numba names a function's entry for Python, and its global variable for what it finds in Python.
+_ENTRY, _ENVIRONMENT = "_ZN7cpython", "_ZN08NumbaEnv"
+_COPIED = "copied"
+
+
+class _Code(JITCodeLibrary):
+    """Code of a kernel, which counts no references: what numba does for those is left out."""
+
+    def _optimize_functions(self, ll_module: Any) -> None:
+        ll_module.data_layout = self._codegen._data_layout
+
+
+@final
+class EnteredCode(_Code):
+    """Of a kernel that Python calls, or that is called by its symbol."""
+
+    def _get_module_for_linking(self) -> Any:
+        if self._shared_module is None:
+            self._ensure_finalized()
+            copied = self._final_module.clone()
+            for function in copied.functions:
+                if function.name.startswith(_ENTRY) and not function.is_declaration:
+                    function.linkage = "internal"
+            # Whoever copies it would optimise the entry, which nobody calls there.
+            manager = newpassmanagers.create_new_module_pass_manager()
+            manager.add_global_dead_code_eliminate_pass()
+            manager.run(copied, self._codegen._pass_builder())
+            for function in copied.functions:
+                if function.linkage == binding.Linkage.external and not function.is_declaration:
+                    function.linkage = "linkonce_odr"
+            self._shared_module = copied
+        return self._shared_module
+
+    def _finalize_final_module(self) -> None:
+        super()._finalize_final_module()
+        translator: Any = self._codegen
+        # What was copied in has had no machine code of its own, in which this would have been set.
+        for variable in self._final_module.global_variables:
+            if variable.name.startswith(_ENVIRONMENT) and not variable.is_declaration:
+                environment = lookup_environment(variable.name)
+                if environment is not None:
+                    translator.set_env(variable.name, environment)
+
+
+@final
+class CopiedCode(_Code):
+    """Of a kernel that only kernels call and that is part of each of them: there is no machine code of it alone."""
+
+    @property
+    def codegen(self) -> Any:
+        """Numba's translator."""
+        return _Nowhere(self._codegen)
+
+    def _optimize_final_module(self) -> None:
+        # Those that copy it optimise it as a part of themselves.
+        manager = newpassmanagers.create_new_module_pass_manager()
+        manager.add_always_inliner_pass()
+        manager.add_sroa_pass()
+        manager.add_simplify_cfg_pass()
+        manager.add_instruction_combine_pass()
+        manager.add_global_dead_code_eliminate_pass()
+        manager.run(self._final_module, self._codegen._pass_builder())
+
+    def _finalize_final_module(self) -> None:
+        self._finalize_dynamic_globals()
+        self._verify_declare_only_symbols()
+        self._finalized = True
+
+    def get_pointer_to_function(self, name: str) -> int:
+        """None."""
+        del name
+        self._ensure_finalized()
+        return 0
+
+    def serialize_using_object_code(self) -> tuple[str, str, bytes]:
+        """What is kept of it: only what others copy."""
+        return self.name, _COPIED, self._get_module_for_linking().as_bitcode()
+
+
+@final
+class _Nowhere:
+    """Numba's translator, for code without a place in memory: there is nothing to set."""
+
+    def __init__(self, codegen: Any) -> None:
+        self._codegen = codegen
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._codegen, name)
+
+    def set_env(self, name: str, environment: Any) -> None:
+        del name, environment
+
+
+class _Compiler(Compiler):
+    """Numba's, but a kernel of this package has one symbol in all processes, so that one may call what another made."""
+
+    kind: type[_Code] = EnteredCode
+
+    def define_pipelines(self) -> Any:
+        identity: Any = self.state.func_id
+        # Two that were made inside functions may share a name; one at the top of a module has it for itself.
+        if _PACKAGE in Path(identity.filename).parents and "." not in identity.func_qualname:
+            identity.unique_id = 0
+            identity.unique_name = f"{identity.func_qualname}$0"
+        if not self.state.flags.nrt:
+            self.state.library = self.kind(self.state.targetctx.codegen(), identity.func_qualname)
+            self.state.library.enable_object_caching()
+        return super().define_pipelines()
+
+
+@final
+class _EnteredCompiler(_Compiler):
+    pass
+
+
+@final
+class _CopiedCompiler(_Compiler):
+    kind = CopiedCode
+
+
+def compiler(*, copied: bool) -> type[Compiler]:
+    """What compiles a kernel.
+
+    Args:
+        copied: whether only kernels call it, and it is part of each of them.
+    """
+    return _CopiedCompiler if copied else _EnteredCompiler
+
+
+def entry_of(result: Any) -> set[str]:
+    """The symbol by which Python enters a function, as far as what others copy of it lacks it."""
+    entered = isinstance(result.library, EnteredCode)
+    return {result.fndesc.llvm_cpython_wrapper_name} if entered else set()
+
+
+def rebuilt(context: Any, kept: Any) -> Any:
+    """A compiled function from what numba has kept of it, or of `CopiedCode`.
+
+    Args:
+        context: numba's, of the processor.
+        kept: what `CompileResult` was reduced to.
+    """
+    (name, kind, code), description, environment, signature, objectmode, lifted, annotation, start, _ = kept
+    if kind != _COPIED:
+        return CompileResult._rebuild(context, *kept)
+    library = CopiedCode(context.codegen(), name)
+    library._final_module = binding.parse_bitcode(code)
+    library._finalize_final_module()
+    return CompileResult(
+        target_context=context,
+        typing_context=context.typing_context,
+        library=library,
+        environment=environment,
+        entry_point=context.get_executable(library, description, environment),
+        fndesc=description,
+        type_annotation=annotation,
+        signature=signature,
+        objectmode=objectmode,
+        lifted=lifted,
+        typing_error=None,
+        call_helper=None,
+        metadata=None,
+        reload_init=start,
+        referenced_envs=(),
+    )
