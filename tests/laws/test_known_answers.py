@@ -13,8 +13,8 @@ from tests.laws.scenes import PASSIVE, law_of, two
 
 from cotouch.laboratory import Study, books, impedance, searched, touching, trial
 from cotouch.laws import PAID, TANK, End, Facts, Tone, copy, given_power, laws, register
-from cotouch.laws._paid import _past, _then  # pyright: ignore[reportPrivateUsage]
 from cotouch.laws._paid_hand import COUNT, EVERY, KEPT, PAST, TIME, TIMES
+from cotouch.laws._paid_other import A2, DONE, EACH, LOG, LOGGED, M_AGE, M_B, M_K, A, past, place_then, take_over
 from cotouch.scenario import Scenario
 from cotouch.simulation import judge, prepare, run_batch, simulate, with_law
 
@@ -377,15 +377,31 @@ def _swing(scenario: Scenario) -> float:
     return float(np.ptp(force[-force.shape[0] // 5 :], axis=0).max())
 
 
-def test_paid_lets_a_squeezed_block_rest() -> None:
-    """With half the damping of its material it swung at 35 Hz, by 0.5 N: late forces pushed on what swings."""
+def _squeezed(duration: float) -> dict[str, Any]:
+    """Tables of the example: two devices press a block from both sides and hold still."""
     tables = tomllib.loads((EXAMPLES / "squeeze.toml").read_text(encoding="utf-8"))
     tables["synchronisation"] = {"law": "paid"}
-    tables["body"]["damping"] = 0.5
-    tables["steps"]["duration"] = 2.0
+    tables["steps"]["duration"] = duration
     for tool in tables["tools"]:
         tool["hand"]["path"] = tool["hand"]["path"][:2]
+    return tables
+
+
+def test_paid_lets_a_squeezed_block_rest() -> None:
+    """With half the damping of its material it swung at 35 Hz, by 0.5 N: late forces pushed on what swings."""
+    tables = _squeezed(2.0)
+    tables["body"]["damping"] = 0.5
     assert _swing(Scenario.make(**tables)) < 0.02
+
+
+def test_paid_keeps_copies_together_that_are_squeezed_over_a_long_way() -> None:
+    """At 40 ms each finger pushed its own copy 13 mm away before it heard of the other, and it stayed there."""
+    tables = _squeezed(0.6)
+    tables["network"]["delay"] = two(0.04)["delay"]
+    run = simulate(Scenario.make(**tables))
+    assert float(np.abs(run["touch_force"].values[:, -1, 0]).min()) > 1.0
+    middle = run["position"].values[:, -1].mean(axis=1)
+    assert float(np.linalg.norm(middle[0] - middle[1])) < 3e-3
 
 
 def test_paid_lets_another_block_rest_over_a_longer_way() -> None:
@@ -458,6 +474,67 @@ def test_paid_knows_where_what_swings_was_between_what_it_kept() -> None:
     numbers[COUNT], numbers[TIME], numbers[TIMES:] = KEPT, times[-1], times
     end: Any = SimpleNamespace(T=0.0, shared=shared, shared_scalars=numbers)
     for when in (times[0] + 0.0017 * step for step in range(295)):
-        x, v = _then.py_func(end, *_past.py_func(end, when), 0)  # pyright: ignore[reportFunctionMemberAccess]
+        x, v = place_then.py_func(end, *past.py_func(end, when), 0)  # pyright: ignore[reportFunctionMemberAccess]
         assert x == pytest.approx(np.sin(omega * when), abs=0.005)
         assert v == pytest.approx(omega * np.cos(omega * when), abs=0.03 * omega)
+
+
+@pytest.mark.parametrize("begun", [0.15, 0.222])
+def test_paid_knows_what_another_hand_did_to_its_copy_since_it_let_go(begun: float) -> None:
+    """A force that rises evenly, on a copy that moves evenly: A and A2 in closed form."""
+    speed, rise, k, damping, now = 0.3, 40.0, 200.0, 5.0, 0.3
+    times, own = EVERY * np.arange(int(now / EVERY)), np.zeros((PAST + 2 * KEPT, 1))
+    numbers, memory, told = np.zeros(TIMES + KEPT), np.zeros((LOG + LOGGED, 1)), np.zeros(M_AGE + 1)
+    numbers[COUNT], numbers[TIME], numbers[TIMES : TIMES + times.size] = times.size, now, times
+    own[PAST : PAST + times.size, 0] = speed * times
+    memory[LOG : LOG + times[::EACH].size, 0], memory[DONE, 0] = 0.5 * rise * times[::EACH] ** 2, 0.5 * rise * now**2
+    told[M_K], told[M_B] = k, damping
+    end: Any = SimpleNamespace(
+        position=np.full(1, speed * now), memory=memory, shared=own, shared_scalars=numbers, received_scalars=told
+    )
+    assert take_over.py_func(end, begun)  # pyright: ignore[reportFunctionMemberAccess]
+    a = np.polyint([rise + k * speed, damping * speed])
+    a = np.polysub(a, [np.polyval(a, begun)])
+    assert memory[A, 0] == pytest.approx(np.polyval(a, now), rel=1e-3)
+    aa = np.polyint(a)
+    assert memory[A2, 0] == pytest.approx(np.polyval(aa, now) - np.polyval(aa, begun), rel=5e-3)
+
+
+@pytest.mark.parametrize("users", [2, 4])
+def test_what_all_let_go_of_goes_on_as_it_moved(users: int) -> None:
+    """It went on by what hands were held to do for as long as nobody had heard that they let go."""
+    near = 0.02
+    hands = [
+        {
+            "user": i + 1,
+            "stiffness": 300,
+            "damping": 6.5,
+            "amplitude": 0.08,
+            "frequency": 0.6,
+            "phase": 0.3,
+            "release": 1.0,
+        }
+        for i in range(users)
+    ]
+
+    def ends(count: int, law: str) -> Any:
+        """Places and speeds at the end."""
+        links = [[50.0 * (i != j) for j in range(count)] for i in range(count)]
+        run = simulate(
+            Scenario.make(
+                network={
+                    "users": [str(i) for i in range(count)],
+                    "spring": links,
+                    "delay": [[near * (spring > 0.0) for spring in row] for row in links],
+                },
+                steps={"duration": 2.0},
+                synchronisation={"law": law},
+                hands=[hand if count > 1 else {**hand, "user": 1} for hand in hands],
+            )
+        )
+        return run["position"].values[:, -1, 0, 0], run["velocity"].values[:, -1, 0, 0]
+
+    place, speed = ends(1, "spring")
+    places, speeds = ends(users, "paid")
+    assert speeds == pytest.approx(speed[0], abs=5e-3)
+    assert places == pytest.approx(place[0], abs=5e-3)

@@ -6,18 +6,18 @@ from cotouch.laws._end import End
 from cotouch.laws._helper import helper
 
 # Fields of a copy, and numbers; the past of x̂ and v̂ follows the fields, its times the numbers.
-W, P, Q, WISH, FELT, X, V, X_BEFORE, V_BEFORE, X_RATE, V_RATE, F_RATE, ALL_W, ALL_P, ALL_Q, TOUCH, TOLD, WAY = range(18)
-PAST, KEPT, EVERY = 18, 128, 0.004
+W, WISH, FELT, X, V, X_BEFORE, V_BEFORE, X_RATE, V_RATE, F_RATE, ALL_W, ALL_P, ALL_Q, ASKED, TOUCH, TOLD, WAY = range(
+    17
+)
+PAST, KEPT, EVERY = 17, 128, 0.004
 ACCOUNT, TIME, K, LEVEL, EPOCH, XX, XV, VV, XF, VF = range(10)
 HELD, COUNT, BRAKE, OWN_B, NEW_K, NEW_B, STEADY = range(10, 17)
 ALL_K, ALL_B, ALL_EPOCH, ALL_HANDS = range(17, 21)  # of the hands that all links bring
-AS_ONE = 21
-TIMES = 22
+AS_ONE, GRASPED, ALL_GRASPED, LONGEST, BACK, DEGREE = range(21, 27)
+TIMES = 27
 
 # What a hand may be [N/m, Ns/m].
 STIFFEST, DAMPEST = 5000.0, 100.0
-# Of ∫w; beyond, a new epoch begins, or small errors of an age would count for much [Ns].
-_MOST_P = 100.0
 # A hand is looked at over so long, without what its force and place do evenly over that time, for its own aim moves. It
 # must seem the same for so long to be believed, at first and later [s].
 _LOOK, _FIRST, _HOLD = 0.02, 0.005, 0.02
@@ -55,7 +55,7 @@ def book_copy(end: End) -> None:
     numbers[TIME] += T
     now = numbers[TIME] - 0.5 * T
     count = int(numbers[COUNT])
-    if count == 0 or now - numbers[TIMES + (count - 1) % KEPT] >= EVERY:
+    if count == 0 or now - numbers[TIMES + (count - 1) % KEPT] >= max(EVERY, 1.5 * numbers[LONGEST] / KEPT):
         slot = count % KEPT
         numbers[TIMES + slot] = now
         for i in range(size):
@@ -112,9 +112,7 @@ def book_copy(end: End) -> None:
     if as_one:
         held = min(held, 1.0)
     numbers[ACCOUNT] -= T * cost
-    changed, most = held != numbers[HELD] or kind != numbers[AS_ONE], 0.0
-    for i in range(size):
-        most = max(most, abs(own[P, i]))
+    changed = held != numbers[HELD] or kind != numbers[AS_ONE]
     if changed:
         for name in range(XX, VF + 1):
             numbers[name] = 0.0
@@ -131,23 +129,20 @@ def book_copy(end: End) -> None:
                 numbers[NEW_K], numbers[NEW_B], numbers[STEADY] = k, damping, 0.0
             else:
                 numbers[STEADY] += T
+    # What touches is not made up: a copy that its own user presses meanwhile would be pushed against that one.
+    numbers[GRASPED] = 1.0 if changed and (held == 0.0 or not as_one) else 0.0
     numbers[HELD], numbers[AS_ONE] = held, kind
     k, damping = numbers[NEW_K], numbers[NEW_B]
     jump = numbers[STEADY] >= (_FIRST if numbers[K] == 0.0 else _HOLD) and _other(
         numbers[K], numbers[OWN_B], k, damping
     )
     # The force alone is sent of what acts as one, so another spring is no other force.
-    renewed = changed or (jump and not as_one) or most > _MOST_P
     if changed or jump:
         numbers[K], numbers[OWN_B] = k, damping
-    if renewed:
+    if changed or (jump and not as_one):
         numbers[EPOCH] += 1.0
     for i in range(size):
         w = own[TOLD, i]
         if w != 0.0 and not as_one:
             w += numbers[K] * own[X_BEFORE, i] + numbers[OWN_B] * own[V_BEFORE, i]
         own[W, i] = w
-        if renewed:
-            own[P, i] = own[Q, i] = 0.0
-        own[P, i] += T * w
-        own[Q, i] += T * own[P, i] - 0.5 * T * T * w
