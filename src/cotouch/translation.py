@@ -122,8 +122,9 @@ class _Compiler(Compiler):
             identity.unique_id = 0
             identity.unique_name = f"{identity.func_qualname}$0"
         if not self.state.flags.nrt:
-            self.state.library = self.kind(self.state.targetctx.codegen(), identity.func_qualname)
-            self.state.library.enable_object_caching()
+            code = self.kind(self.state.targetctx.codegen(), identity.func_qualname)
+            code.enable_object_caching()
+            self.state["library"] = code
         return super().define_pipelines()
 
 
@@ -148,7 +149,7 @@ def compiler(*, copied: bool) -> type[Compiler]:
 
 def entry_of(result: Any) -> set[str]:
     """The symbol by which Python enters a function, as far as what others copy of it lacks it."""
-    entered = isinstance(result.library, EnteredCode)
+    entered = isinstance(result._asdict()["library"], EnteredCode)
     return {result.fndesc.llvm_cpython_wrapper_name} if entered else set()
 
 
