@@ -139,7 +139,7 @@ def measure_drag(law: str, seconds: float, folder: Path, *, codec: bool = False)
     ann, ben = (read_recording(path) for path in recordings)
     summary = felt([Status.model_validate(status) for status in last])
     assert summary is not None
-    return _judge(law, ann, ben, seconds, (summary.measured, summary.predicted), last[0])
+    return _judge(law, ann, ben, seconds, (summary.measured, summary.predicted), last)
 
 
 def _read(paths: list[Path]) -> tuple[Recording, Recording] | None:
@@ -158,7 +158,7 @@ def _judge(
     ben: Recording,
     seconds: float,
     said: tuple[float | None, float | None],
-    status: dict[str, Any],
+    last: list[dict[str, Any]],
 ) -> Felt:
     place = np.interp(np.arange(ann.steps), ann.states["state_row"], ann.states["x"][:, 0, 0])
     begun = float(ann.time[np.flatnonzero(place > SPEED * SETTLING)[0]])
@@ -169,12 +169,13 @@ def _judge(
     damping = [_damping(one, _window(one, begun, seconds)) for one in (ann, ben)]
     return Felt(
         law=law,
-        saved=float(status["links"][0]["saved"]),
+        # Who ended second has no link any more.
+        saved=next((float(link["saved"]) for status in last for link in status["links"]), 0.0),
         felt=float((T * force)[1:].sum() / way),
         predicted=_predicted(law, damping),
         said=said,
         apart=float(np.abs(place[window] - others).max()),
-        late=status["missed"] / status["steps"],
+        late=last[0]["missed"] / last[0]["steps"],
     )
 
 
