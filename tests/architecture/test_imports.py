@@ -45,6 +45,7 @@ PURE = [name for name in NAMES if not name.startswith(WORLDS)]
 
 # Who tests a room from outside with what it does not show: what a liar says, mostly.
 INSIDERS = {
+    "mechanics/test_cut_skin.py": {"recording"},
     "drivers/test_coming_back.py": {"haptics"},
     "drivers/test_processes.py": {"haptics"},
     "session/test_cuts.py": {"members"},

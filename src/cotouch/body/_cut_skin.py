@@ -199,7 +199,12 @@ def _within(skin: Skin, rest: Float, elements: Ints, faces: Ints, own: Ints) -> 
 
 
 def carriers(skin: Skin, elements: Ints) -> list[list[int]]:
-    """Elements that carry each triangle: those of its vertices, or all springs between its nodes."""
+    """Elements that carry each triangle: those of its vertices, or all springs between its nodes.
+
+    Args:
+        skin: of the body.
+        elements: nodes of each element, (elements, corners).
+    """
     of_node: dict[int, set[int]] = {}
     for number, corners in enumerate(elements.tolist()):
         for node in corners:

@@ -57,7 +57,12 @@ _MOST_P = 100.0
 
 @helper
 def past(end: End, when: float) -> tuple[int, int, float, float]:
-    """Where a time lies in what is kept of this copy: rows before and after it, share between them, and its length."""
+    """Where a time lies in what is kept of this copy: rows before and after it, share between them, and its length.
+
+    Args:
+        end: of the link.
+        when: the time [s].
+    """
     numbers = end.shared_scalars
     count = int(numbers[COUNT])
     after, late = -1, numbers[TIME] - 0.5 * end.T
@@ -76,6 +81,14 @@ def place_then(end: End, before: int, after: int, share: float, gap: float, i: i
     """x̂ and v̂ of this copy at such a time; row -1 is the newest.
 
     By Hermite's cubic: a straight line cuts the tops of what swings, and so a copy that swings would be told to go on.
+
+    Args:
+        end: of the link.
+        before: row before the time, as `past` says.
+        after: row after it.
+        share: of the way between them.
+        gap: between them [s].
+        i: coordinate.
     """
     own = end.shared
     x, v = (own[X, i], own[V, i]) if before < 0 else (own[PAST + before, i], own[PAST + KEPT + before, i])
@@ -93,7 +106,12 @@ def place_then(end: End, before: int, after: int, share: float, gap: float, i: i
 
 @helper
 def credible(end: End, told: Float) -> bool:
-    """Whether hands are what hands can be, so that what a liar makes up is not told on."""
+    """Whether hands are what hands can be, so that what a liar makes up is not told on.
+
+    Args:
+        end: of the link.
+        told: numbers of the neighbour's message.
+    """
     most = 0.0
     for i in range(end.position.shape[0]):
         most = max(most, abs(end.memory[PART_W, i]))
@@ -108,6 +126,10 @@ def take_over(end: End, begun: float) -> bool:
 
     So what was done by the hand as it was before is taken back, and what is missing of the new one is made up. False:
     the past is not kept for so long.
+
+    Args:
+        end: of the link.
+        begun: when that epoch began [s].
     """
     own, numbers, memory, told = end.shared, end.shared_scalars, end.memory, end.received_scalars
     count, now = int(numbers[COUNT]), numbers[TIME]
