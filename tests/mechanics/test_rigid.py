@@ -129,7 +129,8 @@ def test_a_block_rests_for_a_minute() -> None:
     force = standing.run(30_000, 2e-3)
     assert np.abs(standing.position - settled).max() <= 1e-9
     assert standing.energy <= standing.begun + 1e-12 * standing.scale
-    assert force == pytest.approx([-G * np.sin(slope), 0.0, G * np.cos(slope)], abs=1e-6)
+    # Solved to a millionth of its weight: where it comes to rest below that is rounding's, another on each processor.
+    assert force == pytest.approx([-G * np.sin(slope), 0.0, G * np.cos(slope)], abs=1e-6 * G)
     standing.check_ledger()
 
 
