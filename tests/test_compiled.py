@@ -265,6 +265,58 @@ def test_two_processes_that_number_their_files_alike_are_told_apart(tmp_path: Pa
         assert ran("one", count) == 2 * count
 
 
+NAMESAKES = """
+import sys
+from numba.extending import overload
+from cotouch.mechanics._kernel import kernel, part
+
+def plus(x, y): ...
+def times(x, y): ...
+
+def arithmetic(operation):
+    @overload(operation)
+    def choose(x, y):
+        return (lambda x, y: x + y) if operation is plus else (lambda x, y: x * y)
+
+arithmetic(plus)
+arithmetic(times)
+
+@part
+def adds(x):
+    return plus(x, x)
+
+@part
+def multiplies(x):
+    return times(x, x)
+
+@kernel
+def sum(x):
+    return adds(x)
+
+@kernel
+def product(x):
+    return multiplies(x)
+
+@kernel
+def both(x):
+    return 100.0 * adds(x) + multiplies(x)
+
+print(globals()[sys.argv[1]](3.0))
+"""
+
+
+def test_what_processes_have_kept_is_not_taken_for_a_namesake(tmp_path: Path):
+    """Both operations have the name of what makes them, and are the first that their process compiles."""
+    script = tmp_path / "namesakes.py"
+    script.write_text(NAMESAKES)
+    environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
+    said = [
+        subprocess.run([sys.executable, script, name], env=environment, capture_output=True, text=True, check=True)
+        for name in ("sum", "product", "both")
+    ]
+    assert [float(each.stdout) for each in said] == [6.0, 9.0, 609.0]
+
+
 CALLER = """
 from cotouch.compiled import routine
 from cotouch.probe_callee import large

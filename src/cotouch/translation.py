@@ -7,11 +7,13 @@ Python; all of it is copied into each caller, where it is optimised and translat
 call needs none of that but a form that is good to copy.
 """
 
+import os
 from pathlib import Path
 from typing import Any, final
 
 from llvmlite import binding
 from llvmlite.binding import newpassmanagers
+from numba.core.bytecode import FunctionIdentity
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import Compiler, CompileResult
 from numba.core.environment import lookup_environment
@@ -20,6 +22,22 @@ _PACKAGE = Path(__file__).parent
 # How numba names a function's entry for Python, and its global variable for what it finds in Python.
 _ENTRY, _ENVIRONMENT = "_ZN7cpython", "_ZN08NumbaEnv"
 _COPIED = "copied"
+
+
+@final
+class _Numbers:
+    """By which functions of one name are told apart, as two that were made inside others may be.
+
+    Numba counts them in each process. What one has kept then meets another function of the same name and number, and
+    LLVM takes one for the other.
+    """
+
+    def __next__(self) -> int:
+        return int.from_bytes(os.urandom(8), "little")
+
+
+counted: Any = FunctionIdentity
+counted._unique_ids = _Numbers()
 
 
 class _Code(JITCodeLibrary):
