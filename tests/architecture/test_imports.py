@@ -28,6 +28,7 @@ WORLDS = tuple(
         "mailbox",
         "interrupt",
         "compiled",  # waits for other processes that compile the same, which nothing that is computed depends on
+        "translation",  # numbers functions as no other process does, likewise
         "pacing",
         "processes",
         "files",
