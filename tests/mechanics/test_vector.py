@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from cotouch.mechanics import at, kernel, load, put, splat, store, total
-from cotouch.mechanics._vector import WIDTHS
+from cotouch.mechanics._vector import WIDTHS, four, root, size, transposed, where
 
 LANES = [(0,) * width for width in WIDTHS]
 
@@ -20,6 +20,15 @@ def _combine(a: Any, b: Any, scalar: float, out: Any, lanes: Any) -> float:
         store(out, i, scalar * x + y * scalar - (scalar - x) * (y - scalar) + (scalar + y), lanes)
         result += total(x * y)
     return result
+
+
+@kernel
+def _shuffle(a: Any, out: Any, lanes: Any) -> None:
+    columns = transposed(load(a, 0, lanes), load(a, 1, lanes), load(a, 2, lanes), load(a, 3, lanes))
+    for k in range(4):
+        store(out, k, columns[k], lanes)
+    store(out, 4, where(load(a, 0, lanes), root(size(load(a, 1, lanes))), -1.0), lanes)
+    store(out, 5, four(at(a, 3), at(a, 2), where(at(a, 1), 1.0, 2.0), root(at(a, 0))), lanes)
 
 
 @kernel
@@ -45,6 +54,15 @@ def test_arithmetic_is_that_of_numpy(lanes: tuple[int, ...]):
     result = _combine(a, b, 1.7, out, lanes)
     assert np.allclose(out, 1.7 * a + b * 1.7 - (1.7 - a) * (b - 1.7) + (1.7 + b), rtol=1e-13, atol=1e-14)
     assert result == pytest.approx(np.sum(a * b), rel=1e-13)
+
+
+def test_lanes_are_shuffled_and_chosen():
+    a, out = np.random.default_rng(1).normal(size=(4, 4)), np.zeros((6, 4))
+    a[0] = [4.0, -1.0, 0.0, 2.0]
+    _shuffle(a, out, (0,) * 4)
+    assert np.array_equal(out[:4], a.T)
+    assert np.array_equal(out[4], np.where(a[0] > 0.0, np.sqrt(np.abs(a[1])), -1.0))
+    assert np.array_equal(out[5], [2.0, 0.0, 2.0, 2.0])
 
 
 @pytest.mark.parametrize("lanes", LANES, ids=len)

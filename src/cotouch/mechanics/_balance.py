@@ -4,6 +4,7 @@ import math
 
 from cotouch.arrays import Float
 from cotouch.mechanics._force import BodyForce, evaluate
+from cotouch.mechanics._force_together import undo
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import (
@@ -49,8 +50,9 @@ def keep_place(state: State, work: Workspace, lanes: tuple[int, ...]) -> None:
 
 
 @part
-def go_back(state: State, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Takes the copy back to where it was kept."""
+def go_back(force: BodyForce, state: State, work: Workspace, lanes: tuple[int, ...]) -> None:
+    """Takes the copy back to where it was kept, after it was weighed."""
+    undo(force.law, state.memory, force.behind)
     for i in range(state.position.shape[0]):
         store(state.position, i, load(work.ahead, i, lanes), lanes)
         store(state.velocity, i, load(work.pull, i, lanes), lanes)
@@ -145,6 +147,8 @@ def weigh(
     weighed[ROUGH] = op.firmness * (force.grain + 2.0 * math.sqrt(force.grain * (abs(energy) + abs(before))))
     weighed[GRAIN] = grain_of(force.world, outside + was_outside)
     weighed[ROUGH] += weighed[GRAIN] + unsettled(force.world, rubbed + T * abs(total(gravity * fallen)))
+    if not weighed[NOISE] + weighed[ROUGH] < math.inf:  # no rounding, and nothing closes it
+        weighed[TARGET], weighed[HAVE], weighed[ABOUT], weighed[NOISE], weighed[ROUGH] = -1.0, 1.0, 1.0, 0.0, 0.0
     ledger[ELASTIC] = op.copy_scale * (op.firmness * energy + 0.5 * total(held) - total(gravity * weight) + outside)
     ledger[WORLD_LOSS], ledger[WORLD_STORED] = op.copy_scale * rubbed, op.copy_scale * outside
     tell_world(force.world, op.copy_scale * op.firmness, ledger)

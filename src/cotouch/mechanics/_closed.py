@@ -23,12 +23,12 @@ from cotouch.mechanics._balance import (
     weigh,
 )
 from cotouch.mechanics._balance_parts import close_all, keep_parts
-from cotouch.mechanics._force import BodyForce, evaluate, lean, resist
+from cotouch.mechanics._direction import direct, level, predict
+from cotouch.mechanics._force import BodyForce, evaluate
 from cotouch.mechanics._force_memory import looks_ahead
 from cotouch.mechanics._force_together import begin
-from cotouch.mechanics._kernel import block, part
-from cotouch.mechanics._meeting import Parts
-from cotouch.mechanics._operator import DAMPING, STIFFNESS, Operator, row_product
+from cotouch.mechanics._kernel import block
+from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import (
     ELASTIC,
     ITERATIONS,
@@ -41,19 +41,14 @@ from cotouch.mechanics._state import (
     State,
     Workspace,
 )
-from cotouch.mechanics._step import assemble, move, port_work, solve_step
-from cotouch.mechanics._vector import at, load, put, splat, store, total
-from cotouch.mechanics._world import World
-from cotouch.mechanics._world_force import corrects, lean_world, looks_of, press_world, settle_world, take_up
+from cotouch.mechanics._step import move, port_work
+from cotouch.mechanics._vector import at, load, splat, store, total
+from cotouch.mechanics._world_force import looks_of, settle_world, take_up
 
 # Sweeps of the rotations from nowhere.
 _MANY = 60
-# How much of what the last look missed the next may leave.
-COARSE = 0.03
-# Change of v̂ from one look to the next, of itself, below which the next would change it by rounding only.
-_SETTLED = 1e-9
-# And change of places, which is below their rounding: who rests has a v̂ of noise alone [m].
-_STILL = 1e-18
+# What the next look would change, of the motion about the centre of mass, for which it is not taken.
+ENOUGH = 2e-4
 # A step whose end velocity is changed by more than this is told: its forces and its energy disagree.
 CLOSURE_ALARM = 1e-2
 
@@ -97,30 +92,34 @@ def closed_step(
     """
     take_up(force.world, state.memory)
     ledger[ITERATIONS] = 0.0
-    rate = state.velocity
-    directions = looks_ahead(state.memory, force.directions, force.cut)
+    for i in range(op.mass.shape[0]):
+        store(work.mean, i, load(state.velocity, i, lanes), lanes)
+    directions, before, alone = looks_ahead(state.memory, force.directions, force.cut), 0.0, force.parts is None
     for number in range(looks_of(force.world, directions, work.dense.shape[0] > 0)):
-        settled = predict(op, force, state, T, rate, work, lanes)
+        settled = predict(op, force, state, T, False, work, lanes)
         if number >= directions and settled:
             break
-        direct(
+        change, moving = direct(
             op,
-            force.world,
+            force,
             state,
             links,
             ports,
             local_damping,
             extra_damping,
             T,
-            rate,
-            number > 0 and corrects(force.world),
             work,
             ledger,
             tolerance,
             cap,
             lanes,
         )
-        rate = work.mean
+        # Each look leaves about that share of the last one's change by which that was smaller than the one before.
+        if number > 0 and alone and change * change <= ENOUGH * ENOUGH * moving * before:
+            directions = min(directions, number + 1)
+            if force.world is None:
+                break
+        before = change
     level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
     attempt, length, refused = 0, 1.0, False
     while True:
@@ -148,21 +147,19 @@ def closed_step(
             lanes,
         ):
             break
-        go_back(state, work, lanes)
+        go_back(force, state, work, lanes)
         still = not passed and resting(work.weighed)
         if attempt == 0 and not passed and not still:
-            predict(op, force, state, T, work.mean, work, lanes)
+            predict(op, force, state, T, False, work, lanes)
             direct(
                 op,
-                force.world,
+                force,
                 state,
                 links,
                 ports,
                 local_damping,
                 extra_damping,
                 T,
-                work.mean,
-                False,
                 work,
                 ledger,
                 tolerance,
@@ -176,181 +173,12 @@ def closed_step(
             refused = refused or (not still and shorter == 0.0)
             length *= shorter
             for i in range(op.mass.shape[0]):
-                store(work.mean, i, shorter * load(work.mean, i, lanes), lanes)
+                # What overflowed would be no number times 0.
+                store(work.mean, i, shorter * load(work.mean, i, lanes) if shorter > 0.0 else splat(0.0, lanes), lanes)
         attempt += 1
     weighed = work.weighed
     rounded = abs(weighed[TARGET] - weighed[HAVE]) <= max(weighed[NOISE], weighed[ROUGH])
     ledger[SHORTENED] = 0.0 if rounded and not refused else 1.0 - length
-
-
-@part
-def direct(
-    op: Operator,
-    world: World | None,
-    state: State,
-    links: Links,
-    ports: Ports,
-    local_damping: Float,
-    extra_damping: Float,
-    T: float,
-    rate: Float,
-    correct: bool,
-    work: Workspace,
-    ledger: Float,
-    tolerance: float,
-    cap: int,
-    lanes: tuple[int, ...],
-) -> None:
-    """Finds a direction that knows where this rate led, by `predict`; or corrects it, which a coarse solve can."""
-    assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
-    lean_world(world, op.copy_scale * op.firmness, rate, work, lanes)
-    if not correct or op.entries.shape[0] == 0:
-        ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, cap, lanes)
-        return
-    miss(op, work.diagonal, work.rhs, work, work.rhs, lanes)
-    for i in range(op.mass.shape[0]):
-        store(work.pull, i, load(work.mean, i, lanes), lanes)
-    ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, COARSE), cap, lanes)
-    for i in range(op.mass.shape[0]):
-        store(work.mean, i, load(work.mean, i, lanes) + load(work.pull, i, lanes), lanes)
-
-
-@part
-def miss(op: Operator, diagonal: Float, rhs: Float, work: Workspace, out: Float, lanes: tuple[int, ...]) -> None:
-    """What `A v̂` lacks of a right-hand side; `out` may be it."""
-    for i in range(diagonal.shape[0]):
-        left = load(rhs, i, lanes) - diagonal[i] * load(work.mean, i, lanes)
-        for family in range(op.entries.shape[0]):
-            left = left - work.scale[family] * row_product(op, family, i, work.mean, lanes)
-        store(out, i, left, lanes)
-
-
-@part
-def level(
-    op: Operator,
-    force: BodyForce,
-    parts: Parts | None,
-    state: State,
-    links: Links,
-    ports: Ports,
-    local_damping: Float,
-    extra_damping: Float,
-    T: float,
-    work: Workspace,
-    lanes: tuple[int, ...],
-) -> None:
-    """Moves each of several bodies as a whole so that it gets just the momentum of the forces where v̂ leads.
-
-    Coarse solves, and looks that end before contact is exactly what it was, would make some out of nothing.
-    """
-    if parts is None:
-        return
-    predict(op, force, state, T, work.mean, work, lanes)
-    assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
-    miss(op, work.diagonal, work.rhs, work, work.rhs, lanes)
-    for b in range(parts.worked.shape[0]):
-        for what in range(4):
-            put(parts.sums, (b, what), 0.0)
-    if ports.shape.shape[0] > 0:
-        for p in range(ports.first, ports.last):
-            _take_port(ports, parts, p, at(work.port_gain, p - ports.first), work)
-    for i in range(op.mass.shape[0]):
-        b, own = at(parts.part, i), at(work.diagonal, i)
-        for family in range(op.entries.shape[0]):
-            for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
-                own += work.scale[family] * at(op.entries, (family, e))
-        put(parts.sums, (b, 0), at(parts.sums, (b, 0)) + own)
-        for a in range(3):
-            put(parts.sums, (b, 1 + a), at(parts.sums, (b, 1 + a)) + at(work.rhs, (i, a)))
-    for i in range(op.mass.shape[0]):
-        b = at(parts.part, i)
-        for a in range(3):
-            put(work.mean, (i, a), at(work.mean, (i, a)) + at(parts.sums, (b, 1 + a)) / at(parts.sums, (b, 0)))
-
-
-@part
-def _take_port(ports: Ports, parts: Parts | None, p: int, gain: float, work: Workspace) -> None:
-    """Takes off a right-hand side what a port that holds many rows resists, and notes how it resists each body."""
-    if parts is None:
-        return
-    for i in range(work.mean.shape[0]):
-        b, own = at(parts.part, i), gain * at(ports.shape, (p, i))
-        if own == 0.0:
-            continue
-        for j in range(work.mean.shape[0]):
-            share = at(ports.shape, (p, j))
-            if at(parts.part, j) == b:
-                put(parts.sums, (b, 0), at(parts.sums, (b, 0)) + own * share)
-            for a in range(3):
-                put(work.rhs, (i, a), at(work.rhs, (i, a)) - own * share * at(work.mean, (j, a)))
-
-
-@part
-def predict(
-    op: Operator, force: BodyForce, state: State, T: float, rate: Float, work: Workspace, lanes: tuple[int, ...]
-) -> bool:
-    """Writes into `tension` what makes the linear system of a step ask for the body's true mean force at this rate.
-
-    Args:
-        op: the body.
-        force: what resists inside.
-        state: where the copy is.
-        T: length of the step [s].
-        rate: guess of v̂, (rows, width).
-        work: scratch.
-        lanes: fixes the width.
-
-    Returns:
-        Whether obstacles do what they did by the rate before.
-    """
-    rows, families = op.mass.shape[0], op.entries.shape[0]
-    zero = splat(0.0, lanes)
-    for i in range(rows):
-        store(work.ahead, i, load(state.position, i, lanes) + T * load(rate, i, lanes), lanes)
-        store(work.pull, i, zero, lanes)
-    resist(force.law, state.memory, state.position, work.ahead, rate, work.pull, lanes)
-    gravity = op.firmness * load(force.gravity, 0, lanes)
-    for i in range(rows):
-        tension = op.firmness * load(work.pull, i, lanes) - at(op.mass, i) * gravity
-        tension = tension + at(op.ground, i) * load(state.position, i, lanes)
-        own = load(rate, i, lanes)
-        for family in range(families):
-            scale = 0.5 * T * op.mix[STIFFNESS, family] + op.mix[DAMPING, family]
-            slip = zero
-            for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
-                slip = slip + at(op.entries, (family, e)) * (load(rate, at(op.column, e), lanes) - own)
-            tension = tension - scale * slip
-        store(state.tension, i, tension, lanes)
-    told = work.dense.shape[0] == 0 or _lean(op, force, state, T, rate, work, lanes)
-    return press_world(force.world, op.firmness, state.memory, state.position, work.ahead, T, state.tension) and told
-
-
-@part
-def _lean(
-    op: Operator, force: BodyForce, state: State, T: float, rate: Float, work: Workspace, lanes: tuple[int, ...]
-) -> bool:
-    """Puts the law's tangent at a rate into `dense`, and off `tension` what that does; whether the rate has settled."""
-    rows, dense = op.mass.shape[0], work.dense
-    for p in range(dense.shape[0]):
-        for q in range(dense.shape[1]):
-            put(dense, (p, q), 0.0)
-    lean(force.law, state.memory, state.position, work.ahead, rate, T, dense, lanes)
-    change, size = 0.0, 0.0
-    for i in range(rows):
-        for a in range(3):
-            given = 0.0
-            for j in range(rows):
-                for b in range(3):
-                    given += at(dense, (3 * i + a, 3 * j + b)) * at(rate, (j, b))
-            put(state.tension, (i, a), at(state.tension, (i, a)) - op.firmness * given)
-            change += (at(rate, (i, a)) - at(work.tried, (i, a))) ** 2
-            size += at(rate, (i, a)) ** 2
-            put(work.tried, (i, a), at(rate, (i, a)))
-    scale = op.copy_scale * op.firmness
-    for p in range(dense.shape[0]):
-        for q in range(dense.shape[1]):
-            put(dense, (p, q), scale * at(dense, (p, q)))
-    return change <= _SETTLED * _SETTLED * size or T * T * change <= _STILL * _STILL
 
 
 @block

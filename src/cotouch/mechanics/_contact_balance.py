@@ -140,7 +140,8 @@ def balanced(
             fine = not look or -noise <= over <= max(noise, spare)
         else:
             for i in range(work.mean.shape[0]):
-                store(work.mean, i, (scale / have) * load(work.mean, i, lanes), lanes)
+                rate = (scale / have) * load(work.mean, i, lanes) if scale > 0.0 else splat(0.0, lanes)
+                store(work.mean, i, rate, lanes)
             have, touch_ledger[TOUCHED] = scale, over
             ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
             move(op, state, links, T, sample, work, link_work, lanes)
@@ -158,7 +159,7 @@ def balanced(
             seeks = seeks and not passed
             if not (fine or passed or touches or still) and resting(weighed):  # the body stays, and its tools go on
                 still = True
-                go_back(state, work, lanes)
+                go_back(force, state, work, lanes)
                 for i in range(work.mean.shape[0]):
                     store(work.mean, i, splat(0.0, lanes), lanes)
                 continue
@@ -180,7 +181,7 @@ def balanced(
             shrinks = min(16.0 * shrinks, 0.5)
             scale = (1.0 - shrinks) * scale if halves < _HALVES else 0.0
         if force is not None:
-            go_back(state, work, lanes)
+            go_back(force, state, work, lanes)
     if fine and force is None and over > noise and _leave(touch, tools, over):
         over = 0.0
     touch_ledger[TOUCH_LOSS] += lost + over if over > noise and (force is None or not fine) else lost

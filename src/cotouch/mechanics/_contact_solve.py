@@ -2,9 +2,9 @@
 # pyright: reportArgumentType=false, reportReturnType=false
 
 from cotouch.arrays import Float
-from cotouch.mechanics._closed import miss
 from cotouch.mechanics._contact_near import say
 from cotouch.mechanics._contact_work import ContactWork
+from cotouch.mechanics._direction import miss
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._operator import Operator, row_product
 from cotouch.mechanics._state import ITERATIONS, Ports, Workspace

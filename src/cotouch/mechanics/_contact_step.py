@@ -9,7 +9,6 @@ import math
 from typing import Any
 
 from cotouch.arrays import Float
-from cotouch.mechanics._closed import predict
 from cotouch.mechanics._contact_balance import balanced, dot_rows
 from cotouch.mechanics._contact_catch import begin_catch, catch
 from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_rows, tell
@@ -19,6 +18,7 @@ from cotouch.mechanics._contact_snap import begin_snap, end_snap, owed_drag
 from cotouch.mechanics._contact_solve import lacking, solve_touched
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import Contact, ContactWork
+from cotouch.mechanics._direction import predict
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import looks_ahead
 from cotouch.mechanics._grasp import feel_grasp, take
@@ -120,7 +120,7 @@ def contact_step(
         if number < looks:  # what the body asks for; later looks only tell contacts apart
             same = True
             if force is not None:
-                same = predict(op, force, state, T, mean, work, lanes)
+                same = predict(op, force, state, T, True, work, lanes)
                 if same and number >= directions:
                     looks = number  # obstacles are told as well
             assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)

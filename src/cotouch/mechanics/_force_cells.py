@@ -1,4 +1,7 @@
-"""Cubes that turn: `⅛ k Σ ‖d_e - R h n_e‖²` over the twelve edges of each, R the rotation that fits the cube best."""
+"""Cubes that turn: `⅛ k Σ ‖d_e - R h n_e‖²` over the twelve edges of each, R the rotation that fits the cube best.
+
+The rotations of four cubes are found at a time, each in one lane; places and forces are added up row by row.
+"""
 # Every law takes the interface's arguments, and not each needs all of them.
 # ruff: noqa: ARG001
 
@@ -8,10 +11,23 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.mechanics._force_memory import FIRST, columns, is_cut, keep, scratch_row
+from cotouch.mechanics._force_memory import FIRST, before_row, is_cut, scratch_row
 from cotouch.mechanics._force_ties import pull_ties, weigh_ties
+from cotouch.mechanics._fours import elements, keep_before, keep_rotations, rotations
 from cotouch.mechanics._kernel import inner, part
-from cotouch.mechanics._matrix3 import Matrix, Vector, cross, inertia, mixture, product, solved, transpose, turned
+from cotouch.mechanics._matrix3 import (
+    Matrix,
+    Vector,
+    cross,
+    diagonal,
+    inertia,
+    mixture,
+    nearest,
+    product,
+    scaled,
+    solved,
+    transpose,
+)
 from cotouch.mechanics._vector import at, load, store, total
 
 Int = npt.NDArray[np.int32]
@@ -47,9 +63,15 @@ class CorotatedCells(NamedTuple):
     tie_cut: int = -1
 
 
+# Four rows of a memory's scratch.
+_ALL = (0, 1, 2, 3)
+# Sweeps in which the rotation at the end of a step is found, at most.
+_SWEEPS = 2
+
+
 @inner
-def _sums(law: CorotatedCells, c: int, field: Float, lanes: tuple[int, ...]) -> tuple[float, float, float]:
-    """Sums of the four differences along each axis."""
+def _sum_up(law: CorotatedCells, c: int, field: Float, memory: Float, row: int, lanes: tuple[int, ...]) -> None:
+    """Writes the sums of the four differences along each axis."""
     base = 8 * c
     x0, x1 = load(field, at(law.corner, base), lanes), load(field, at(law.corner, base + 1), lanes)
     x2, x3 = load(field, at(law.corner, base + 2), lanes), load(field, at(law.corner, base + 3), lanes)
@@ -57,20 +79,19 @@ def _sums(law: CorotatedCells, c: int, field: Float, lanes: tuple[int, ...]) -> 
     x6, x7 = load(field, at(law.corner, base + 6), lanes), load(field, at(law.corner, base + 7), lanes)
     front, back = (x0 + x1), (x2 + x3)
     left, right = (x4 + x5), (x6 + x7)
-    along_x = (left + right) - (front + back)
-    along_y = (back + right) - (front + left)
-    along_z = ((x1 - x0) + (x3 - x2)) + ((x5 - x4) + (x7 - x6))
-    return along_x, along_y, along_z
+    store(memory, row, (left + right) - (front + back), lanes)
+    store(memory, row + 1, (back + right) - (front + left), lanes)
+    store(memory, row + 2, ((x1 - x0) + (x3 - x2)) + ((x5 - x4) + (x7 - x6)), lanes)
 
 
 @inner
-def _shape(law: CorotatedCells, c: int, field: Float, scratch: int, memory: Float, lanes: tuple[int, ...]) -> Matrix:
-    """Sum of the four edges along each axis, as the columns of a matrix."""
-    along_x, along_y, along_z = _sums(law, c, field, lanes)
-    store(memory, scratch, along_x + 4.0 * load(law.edge, 0, lanes), lanes)
-    store(memory, scratch + 1, along_y + 4.0 * load(law.edge, 1, lanes), lanes)
-    store(memory, scratch + 2, along_z + 4.0 * load(law.edge, 2, lanes), lanes)
-    return columns(memory, scratch)
+def _sums(
+    law: CorotatedCells, first: int, last: int, field: Float, memory: Float, row: int, lanes: tuple[int, ...]
+) -> Matrix:
+    """Sums of the four differences along each axis of four cells, as the columns of a matrix."""
+    for c in range(4):
+        _sum_up(law, min(first + c, last), field, memory, row + 3 * c, lanes)
+    return rotations(memory, row, _ALL)
 
 
 @inner
@@ -94,54 +115,63 @@ def _rotated(spin: Vector, middle: Matrix, h: float) -> Matrix:
     return h * x[0], h * y[0], h * z[0], h * x[1], h * y[1], h * z[1], h * x[2], h * y[2], h * z[2]
 
 
-@inner
-def _rates(law: CorotatedCells, c: int, rate: Float, scratch: int, memory: Float, lanes: tuple[int, ...]) -> Matrix:
-    along_x, along_y, along_z = _sums(law, c, rate, lanes)
-    store(memory, scratch, along_x, lanes)
-    store(memory, scratch + 1, along_y, lanes)
-    store(memory, scratch + 2, along_z, lanes)
-    return columns(memory, scratch)
-
-
 @part
 def resist(
     law: CorotatedCells, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]
 ) -> None:
     """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`."""
-    h, eta, scratch = law.spacing, law.viscosity, scratch_row(law.stiffness.shape[0])
     pull_ties(law, memory, x, ahead, rate, out, lanes)
-    for c in range(law.stiffness.shape[0]):
-        if is_cut(memory, law.cut, c):
-            continue
-        k = 0.25 * at(law.stiffness, c)
-        row = FIRST + 3 * c
-        before = columns(memory, row)
-        shape = _shape(law, c, ahead, scratch, memory, lanes)
-        after = turned(turned(before, shape), shape)
-        keep(memory, scratch, after)
-        tx = (0.5 * h) * (load(memory, row, lanes) + load(memory, scratch, lanes)) - load(law.edge, 0, lanes)
-        ty = (0.5 * h) * (load(memory, row + 1, lanes) + load(memory, scratch + 1, lanes)) - load(law.edge, 1, lanes)
-        tz = (0.5 * h) * (load(memory, row + 2, lanes) + load(memory, scratch + 2, lanes)) - load(law.edge, 2, lanes)
+    count, h, eta = law.corner.shape[0], law.spacing, law.viscosity
+    scratch = scratch_row(count)
+    for first in range(0, count, 4):
+        e = elements(first, count - 1)
+        before = rotations(memory, FIRST, e)
+        shape = diagonal(_sums(law, first, count - 1, ahead, memory, scratch, lanes), 4.0 * h)
+        middle = mixture(0.5, before, 0.5, nearest(before, shape, _SWEEPS))
+        turn = diagonal(scaled(h, middle), -h)
         if eta > 0.0:
-            middle = mixture(0.5, before, 0.5, after)
-            spun = _rates(law, c, rate, scratch, memory, lanes)
-            keep(memory, scratch, _rotated(_spin(middle, spun, h), middle, h))
-            tx = tx + eta * load(memory, scratch, lanes)
-            ty = ty + eta * load(memory, scratch + 1, lanes)
-            tz = tz + eta * load(memory, scratch + 2, lanes)
-        # What the dampers add is a spring whose ends are η v further on.
-        q0, q1 = _place(law, c, 0, eta, x, ahead, rate, lanes), _place(law, c, 1, eta, x, ahead, rate, lanes)
-        q2, q3 = _place(law, c, 2, eta, x, ahead, rate, lanes), _place(law, c, 3, eta, x, ahead, rate, lanes)
-        q4, q5 = _place(law, c, 4, eta, x, ahead, rate, lanes), _place(law, c, 5, eta, x, ahead, rate, lanes)
-        q6, q7 = _place(law, c, 6, eta, x, ahead, rate, lanes), _place(law, c, 7, eta, x, ahead, rate, lanes)
-        _push(law, c, 0, out, k * ((3.0 * q0 - q4 - q2 - q1) + tx + ty + tz), lanes)
-        _push(law, c, 1, out, k * ((3.0 * q1 - q5 - q3 - q0) + tx + ty - tz), lanes)
-        _push(law, c, 2, out, k * ((3.0 * q2 - q6 - q0 - q3) + tx - ty + tz), lanes)
-        _push(law, c, 3, out, k * ((3.0 * q3 - q7 - q1 - q2) + tx - ty - tz), lanes)
-        _push(law, c, 4, out, k * ((3.0 * q4 - q0 - q6 - q5) - tx + ty + tz), lanes)
-        _push(law, c, 5, out, k * ((3.0 * q5 - q1 - q7 - q4) - tx + ty - tz), lanes)
-        _push(law, c, 6, out, k * ((3.0 * q6 - q2 - q4 - q7) - tx - ty + tz), lanes)
-        _push(law, c, 7, out, k * ((3.0 * q7 - q3 - q5 - q6) - tx - ty - tz), lanes)
+            spun = _sums(law, first, count - 1, rate, memory, scratch, lanes)
+            turn = mixture(1.0, turn, eta, _rotated(_spin(middle, spun, h), middle, h))
+        keep_rotations(memory, scratch, _ALL, turn)
+        for c in range(4):
+            cell, row = first + c, scratch + 3 * c
+            if cell < count and not is_cut(memory, law.cut, cell):
+                tx, ty, tz = load(memory, row, lanes), load(memory, row + 1, lanes), load(memory, row + 2, lanes)
+                _press(law, cell, eta, x, ahead, rate, tx, ty, tz, out, lanes)
+
+
+@inner
+def _press(
+    law: CorotatedCells,
+    c: int,
+    eta: float,
+    x: Float,
+    ahead: Float,
+    rate: Float,
+    tx: float,
+    ty: float,
+    tz: float,
+    out: Float,
+    lanes: tuple[int, ...],
+) -> None:
+    """Adds the forces of a cell whose edges would be longer by t at rest."""
+    k = 0.25 * at(law.stiffness, c)
+    # What the dampers add is a spring whose ends are η v further on.
+    q0, q1 = _place(law, c, 0, eta, x, ahead, rate, lanes), _place(law, c, 1, eta, x, ahead, rate, lanes)
+    q2, q3 = _place(law, c, 2, eta, x, ahead, rate, lanes), _place(law, c, 3, eta, x, ahead, rate, lanes)
+    q4, q5 = _place(law, c, 4, eta, x, ahead, rate, lanes), _place(law, c, 5, eta, x, ahead, rate, lanes)
+    q6, q7 = _place(law, c, 6, eta, x, ahead, rate, lanes), _place(law, c, 7, eta, x, ahead, rate, lanes)
+    x0, x1, x2, x3 = (q4 - q0) - tx, (q5 - q1) - tx, (q6 - q2) - tx, (q7 - q3) - tx
+    y0, y1, y2, y3 = (q2 - q0) - ty, (q3 - q1) - ty, (q6 - q4) - ty, (q7 - q5) - ty
+    z0, z1, z2, z3 = (q1 - q0) - tz, (q3 - q2) - tz, (q5 - q4) - tz, (q7 - q6) - tz
+    _push(law, c, 0, out, -k, x0 + y0 + z0, lanes)
+    _push(law, c, 1, out, -k, x1 + y1 - z0, lanes)
+    _push(law, c, 2, out, -k, x2 - y0 + z1, lanes)
+    _push(law, c, 3, out, -k, x3 - y1 - z1, lanes)
+    _push(law, c, 4, out, k, x0 - y2 - z2, lanes)
+    _push(law, c, 5, out, k, x1 - y3 + z2, lanes)
+    _push(law, c, 6, out, k, x2 + y2 - z3, lanes)
+    _push(law, c, 7, out, k, x3 + y3 + z3, lanes)
 
 
 @inner
@@ -155,9 +185,9 @@ def _place(
 
 
 @inner
-def _push(law: CorotatedCells, c: int, n: int, out: Float, force: float, lanes: tuple[int, ...]) -> None:
+def _push(law: CorotatedCells, c: int, n: int, out: Float, k: float, stretch: float, lanes: tuple[int, ...]) -> None:
     i = at(law.corner, 8 * c + n)
-    store(out, i, load(out, i, lanes) + force, lanes)
+    store(out, i, load(out, i, lanes) + k * stretch, lanes)
 
 
 @part
@@ -165,32 +195,33 @@ def evaluate(
     law: CorotatedCells, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:
     """Energy at the end of a step, whose rotations it keeps, and the power of the dampers in it."""
-    h, eta, scratch = law.spacing, law.viscosity, scratch_row(law.stiffness.shape[0])
+    count, h, eta = law.corner.shape[0], law.spacing, law.viscosity
+    scratch = scratch_row(count)
     energy, power = weigh_ties(law, memory, ahead, rate, lanes)
-    for c in range(law.stiffness.shape[0]):
-        if is_cut(memory, law.cut, c):
-            continue
-        row = FIRST + 3 * c
-        before = columns(memory, row)
-        shape = _shape(law, c, ahead, scratch, memory, lanes)
-        after = before
-        for _ in range(sweeps):
-            after = turned(after, shape)
-        keep(memory, row, after)
-        tx = h * load(memory, row, lanes) - load(law.edge, 0, lanes)
-        ty = h * load(memory, row + 1, lanes) - load(law.edge, 1, lanes)
-        tz = h * load(memory, row + 2, lanes) - load(law.edge, 2, lanes)
-        energy += 0.125 * at(law.stiffness, c) * _squares(law, c, ahead, tx, ty, tz, lanes)
+    for first in range(0, count, 4):
+        e = elements(first, count - 1)
+        before = rotations(memory, FIRST, e)
+        shape = diagonal(_sums(law, first, count - 1, ahead, memory, scratch, lanes), 4.0 * h)
+        after = nearest(before, shape, sweeps)
+        keep_before(memory, FIRST, before_row(count), e)
+        keep_rotations(memory, FIRST, e, after)
         if eta > 0.0:
             middle = mixture(0.5, before, 0.5, after)
-            spun = _rates(law, c, rate, scratch, memory, lanes)
-            keep(memory, scratch, _rotated(_spin(middle, spun, h), middle, h))
-            wx, wy, wz = (
-                load(memory, scratch, lanes),
-                load(memory, scratch + 1, lanes),
-                load(memory, scratch + 2, lanes),
-            )
-            power += eta * 0.25 * at(law.stiffness, c) * _squares(law, c, rate, wx, wy, wz, lanes)
+            spun = _sums(law, first, count - 1, rate, memory, scratch, lanes)
+            keep_rotations(memory, scratch, _ALL, _rotated(_spin(middle, spun, h), middle, h))
+        for c in range(4):
+            cell = first + c
+            if cell < count and not is_cut(memory, law.cut, cell):
+                row = FIRST + 3 * cell
+                tx = h * load(memory, row, lanes) - load(law.edge, 0, lanes)
+                ty = h * load(memory, row + 1, lanes) - load(law.edge, 1, lanes)
+                tz = h * load(memory, row + 2, lanes) - load(law.edge, 2, lanes)
+                energy += 0.125 * at(law.stiffness, cell) * _squares(law, cell, ahead, tx, ty, tz, lanes)
+                if eta > 0.0:
+                    row = scratch + 3 * c
+                    wx, wy, wz = load(memory, row, lanes), load(memory, row + 1, lanes), load(memory, row + 2, lanes)
+                    lost = _squares(law, cell, rate, wx, wy, wz, lanes)
+                    power += eta * 0.25 * at(law.stiffness, cell) * lost
     return energy, power
 
 

@@ -12,18 +12,18 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.mechanics._force_memory import FIRST, columns, keep
+from cotouch.mechanics._force_memory import FIRST, before_row, columns, keep
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import (
     Matrix,
     Vector,
     cross,
     inertia,
+    nearest,
     solved,
     times,
     transposed_product,
     transposed_times,
-    turned,
 )
 from cotouch.mechanics._vector import at, put
 
@@ -187,10 +187,7 @@ def _strain_rate(law: Frame, r: Matrix, moment: Matrix, rate: Float) -> None:
 
 @inner
 def _turn(law: Frame, r: Matrix, moment: Matrix, sweeps: int) -> Matrix:
-    if law.turning == 1:
-        for _ in range(sweeps):
-            r = turned(r, moment)
-    return r
+    return nearest(r, moment, sweeps) if law.turning == 1 else r
 
 
 @part
@@ -231,6 +228,7 @@ def evaluate(
             )
     moment = _moment(law, x, ahead, 1.0)
     after = _turn(law, before, moment, max(sweeps, _SWEEPS))
+    keep(memory, before_row(1), before)
     keep(memory, FIRST, after)
     _local(law, after, x, ahead, 1.0)
     for i in range(rows):

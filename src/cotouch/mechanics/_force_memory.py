@@ -1,4 +1,7 @@
-"""What a body force remembers of a copy from step to step: its energy, and rotations as three rows of four each."""
+"""What a body force remembers of a copy from step to step: its energy, and rotations as three rows of four each.
+
+Behind the rotations are those with which the last evaluation began, to which a step that is not taken goes back.
+"""
 
 import numpy as np
 
@@ -9,14 +12,14 @@ from cotouch.mechanics._vector import at, put
 
 # Rows of a memory, of four numbers: the first holds the energy, rotations begin here, and behind them is scratch.
 FIRST = 1
-_SCRATCH = 3
+_SCRATCH = 12
 # Looks that a step of a body that was cut takes besides.
 _MORE = 4
 
 
 def memory_size(rotations: int) -> int:
     """Numbers in a memory with so many rotations."""
-    return 4 * (FIRST + 3 * rotations + _SCRATCH)
+    return 4 * (FIRST + 6 * rotations + _SCRATCH)
 
 
 def fresh_memory(size: int, more: int = 0) -> Float:
@@ -48,9 +51,29 @@ def looks_ahead(memory: Float, directions: int, cut: int) -> int:
 
 
 @inner
-def scratch_row(rotations: int) -> int:
-    """The first of three rows behind so many rotations."""
+def before_row(rotations: int) -> int:
+    """The first row of the rotations, so many, with which the last evaluation began."""
     return FIRST + 3 * rotations
+
+
+@inner
+def scratch_row(rotations: int) -> int:
+    """The first of twelve rows behind so many rotations."""
+    return FIRST + 6 * rotations
+
+
+@inner
+def take_back(memory: Float, behind: int) -> None:
+    """Takes all rotations back to those with which the last evaluation began.
+
+    Args:
+        memory: (numbers,).
+        behind: numbers from here on are of something else than the law; 0: none are.
+    """
+    size = behind if behind > 0 else memory.shape[0]
+    numbers = 12 * ((size // 4 - FIRST - _SCRATCH) // 6)
+    for place in range(4 * FIRST, 4 * FIRST + numbers):
+        put(memory, place, at(memory, place + numbers))
 
 
 @inner

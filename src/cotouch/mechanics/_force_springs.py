@@ -2,18 +2,20 @@
 # Every law takes the interface's arguments, and not each needs all of them.
 # ruff: noqa: ARG001
 
-import math
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.mechanics._force_memory import is_cut
-from cotouch.mechanics._kernel import part
-from cotouch.mechanics._vector import at, load, store, total
+from cotouch.mechanics._fours import Quad, add_rows, apart, as_rows, elements, four_rows, kept, take_rows
+from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._matrix3 import Vector
+from cotouch.mechanics._vector import FOUR, at, load, root, splat, total, where
 
 Int = npt.NDArray[np.int32]
+# Rows of a block of four springs.
+ROWS = 5
 
 
 class SpringNetwork(NamedTuple):
@@ -23,19 +25,37 @@ class SpringNetwork(NamedTuple):
         viscosity: η of the dampers `η k n nᵀ` along the springs [s].
         start: row of the one end, (springs,).
         end: row of the other.
-        stiffness: k, (springs,) [N/m].
-        edge: from one end to the other at rest, (springs, 4) [m].
-        length: L, (springs,) [m].
+        block: of every four springs k [N/m], with 0 for those that are missing, the length L and the coordinates of the
+            edge from one end to the other at rest [m]: `ROWS` rows of four.
         cut: where in the memory the marks of those that were cut begin; negative: none can be.
     """
 
     viscosity: float
     start: Int
     end: Int
-    stiffness: Float
-    edge: Float
-    length: Float
+    block: Float
     cut: int = -1
+
+
+@inner
+def _rows(end: Int, e: Quad) -> Quad:
+    return at(end, e[0]), at(end, e[1]), at(end, e[2]), at(end, e[3])
+
+
+@inner
+def _between(field: Float, i: Quad, j: Quad) -> Vector:
+    """Differences of four pairs of rows."""
+    return apart(four_rows(field, i), four_rows(field, j))
+
+
+@inner
+def _dot(a: Vector, b: Vector) -> float:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+@inner
+def _sum(a: Vector, b: Vector) -> Vector:
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
 
 
 @part
@@ -43,27 +63,29 @@ def resist(
     law: SpringNetwork, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]
 ) -> None:
     """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`."""
-    for e in range(law.stiffness.shape[0]):
-        if is_cut(memory, law.cut, e):
-            continue
-        i, j = at(law.start, e), at(law.end, e)
-        k, length, edge = at(law.stiffness, e), at(law.length, e), load(law.edge, e, lanes)
-        before = load(x, j, lanes) - load(x, i, lanes)
-        after = load(ahead, j, lanes) - load(ahead, i, lanes)
-        d, d1 = edge + before, edge + after
-        l, l1 = math.sqrt(total(d * d)), math.sqrt(total(d1 * d1))
-        middle = 0.5 * (d + d1)
-        if l + l1 > 0.0:
-            # l - L without cancellation: an edge may stretch by less than its rounding.
-            stretch = total((edge + d) * before) / (l + length) + total((edge + d1) * after) / (l1 + length)
-            pull = k * stretch / (l + l1)
-            square = total(middle * middle)
-            if law.viscosity > 0.0 and square > 0.0:
-                slip = load(rate, j, lanes) - load(rate, i, lanes)
-                pull += law.viscosity * k * total(middle * slip) / square
-            force = pull * middle
-            store(out, i, load(out, i, lanes) - force, lanes)
-            store(out, j, load(out, j, lanes) + force, lanes)
+    count = law.start.shape[0]
+    for first in range(0, count, 4):
+        b, e = ROWS * (first // 4), elements(first, count - 1)
+        i, j = _rows(law.start, e), _rows(law.end, e)
+        k, length = kept(memory, law.cut, e) * load(law.block, b, FOUR), load(law.block, b + 1, FOUR)
+        edge = (load(law.block, b + 2, FOUR), load(law.block, b + 3, FOUR), load(law.block, b + 4, FOUR))
+        before, after = _between(x, i, j), _between(ahead, i, j)
+        d, d1 = _sum(edge, before), _sum(edge, after)
+        l, l1 = root(_dot(d, d)), root(_dot(d1, d1))
+        # l - L without cancellation: an edge may stretch by less than its rounding.
+        one, other = l + length, l1 + length
+        stretch = _dot(_sum(edge, d), before) * other + _dot(_sum(edge, d1), after) * one
+        way = one * other * (l + l1)
+        pull = where(way, stretch / way, 0.0)
+        twice = _sum(d, d1)
+        if law.viscosity > 0.0:
+            square = _dot(twice, twice)
+            slip = _dot(twice, _between(rate, i, j))
+            pull = pull + where(square, (2.0 * law.viscosity) * slip / square, 0.0)
+        pull = 0.5 * k * pull
+        rows = as_rows((pull * twice[0], pull * twice[1], pull * twice[2]))
+        take_rows(out, i, rows)
+        add_rows(out, j, rows)
 
 
 @part
@@ -71,22 +93,21 @@ def evaluate(
     law: SpringNetwork, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:
     """Energy at the end of a step, and the power of the dampers in it."""
-    energy, power = 0.0, 0.0
-    for e in range(law.stiffness.shape[0]):
-        if is_cut(memory, law.cut, e):
-            continue
-        i, j = at(law.start, e), at(law.end, e)
-        k, length, edge = at(law.stiffness, e), at(law.length, e), load(law.edge, e, lanes)
-        after = load(ahead, j, lanes) - load(ahead, i, lanes)
-        d1 = edge + after
-        l1 = math.sqrt(total(d1 * d1))
-        if l1 + length > 0.0:
-            stretch = total((edge + d1) * after) / (l1 + length)
-            energy += 0.5 * k * stretch * stretch
+    energy, power = splat(0.0, FOUR), splat(0.0, FOUR)
+    count = law.start.shape[0]
+    for first in range(0, count, 4):
+        b, e = ROWS * (first // 4), elements(first, count - 1)
+        i, j = _rows(law.start, e), _rows(law.end, e)
+        k, length = kept(memory, law.cut, e) * load(law.block, b, FOUR), load(law.block, b + 1, FOUR)
+        edge = (load(law.block, b + 2, FOUR), load(law.block, b + 3, FOUR), load(law.block, b + 4, FOUR))
+        after = _between(ahead, i, j)
+        d1 = _sum(edge, after)
+        way = root(_dot(d1, d1)) + length
+        stretch = where(way, _dot(_sum(edge, d1), after) / way, 0.0)
+        energy = energy + k * (stretch * stretch)
         if law.viscosity > 0.0:
-            middle = edge + 0.5 * (after + load(x, j, lanes) - load(x, i, lanes))
-            square = total(middle * middle)
-            if square > 0.0:
-                slip = total(middle * (load(rate, j, lanes) - load(rate, i, lanes)))
-                power += law.viscosity * k * slip * slip / square
-    return energy, power
+            twice = _sum(_sum(edge, _between(x, i, j)), d1)
+            square = _dot(twice, twice)
+            slip = _dot(twice, _between(rate, i, j))
+            power = power + k * where(square, slip * slip / square, 0.0)
+    return 0.5 * total(energy), law.viscosity * total(power)

@@ -4,7 +4,7 @@
 
 With H the gradient of displacement, F = I + H. A law gives the mean first Piola stress between two gradients and the
 density of energy at the second; the nodes' forces, the dampers `2 η μ sym(FᵀḞ) + η λ tr(FᵀḞ)`, which feel no rotation,
-and the sums are here.
+and the sums are here. Four tetrahedra are worked out at a time, each in one lane.
 """
 # Every law takes the interface's arguments, and not each needs all of them.
 # ruff: noqa: ARG001, ARG005
@@ -17,24 +17,44 @@ import numpy.typing as npt
 from numba.extending import overload
 
 from cotouch.arrays import Float
-from cotouch.mechanics._force_memory import FIRST, columns, is_cut, keep
+from cotouch.mechanics._force_memory import FIRST, before_row
 from cotouch.mechanics._force_ties import pull_ties, weigh_ties
+from cotouch.mechanics._fours import (
+    Quad,
+    Rows,
+    add_rows,
+    apart,
+    as_rows,
+    corner_rows,
+    elements,
+    four_rows,
+    keep_before,
+    keep_rotations,
+    kept,
+    rotations,
+    take_rows,
+)
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import (
-    IDENTITY,
     Matrix,
     cofactor,
     contraction,
+    diagonal,
     mixture,
+    nearest,
     product,
+    scaled,
     symmetric,
     transpose,
     transposed_product,
-    turned,
 )
-from cotouch.mechanics._vector import at, put
+from cotouch.mechanics._vector import FOUR, load, splat, total, where
 
 Int = npt.NDArray[np.int32]
+# Rows of a block of four tetrahedra.
+ROWS = 12
+# Sweeps in which the rotation at the end of a step is found, at most.
+_SWEEPS = 2
 
 
 class CorotatedTetrahedra(NamedTuple):
@@ -43,9 +63,9 @@ class CorotatedTetrahedra(NamedTuple):
     Attributes:
         viscosity: the largest η [s].
         corner: rows of the corners, (tetrahedra, 4).
-        gradient: ∇N of the last three corners, (3 · tetrahedra, 4) [1/m].
         volume: at rest, (tetrahedra,) [m³].
-        lame: λ and μ [Pa], η of the damper beside them [s], (tetrahedra, 3).
+        block: of every four tetrahedra ∇N of the last three corners [1/m], λ and μ times the volume [J], with 0 for
+            those that are missing, and η of the damper beside them [s]: `ROWS` rows of four.
         tie_start: see `CorotatedCells`, as of the other ties.
         tie_end: likewise.
         tie_face: likewise.
@@ -56,9 +76,8 @@ class CorotatedTetrahedra(NamedTuple):
 
     viscosity: float
     corner: Int
-    gradient: Float
     volume: Float
-    lame: Float
+    block: Float
     tie_start: Int
     tie_end: Int
     tie_face: Int
@@ -72,9 +91,8 @@ class StVenantKirchhoff(NamedTuple):
 
     viscosity: float
     corner: Int
-    gradient: Float
     volume: Float
-    lame: Float
+    block: Float
     tie_start: Int
     tie_end: Int
     tie_face: Int
@@ -88,9 +106,8 @@ class NeoHookean(NamedTuple):
 
     viscosity: float
     corner: Int
-    gradient: Float
     volume: Float
-    lame: Float
+    block: Float
     tie_start: Int
     tie_end: Int
     tie_face: Int
@@ -114,24 +131,23 @@ def _trace(a: Matrix) -> float:
 
 
 @inner
-def _corotated_stress(lam: float, mu: float, h: Matrix, h1: Matrix, memory: Float, row: int) -> Matrix:
-    before = columns(memory, row)
-    f1 = mixture(1.0, IDENTITY, 1.0, h1)
-    after = turned(turned(before, f1), f1)
-    r = mixture(0.5, before, 0.5, after)
-    s = 0.5 * (contraction(before, mixture(1.0, IDENTITY, 1.0, h)) + contraction(after, f1)) - 3.0
-    stretch = mixture(0.5, mixture(1.0, h, 1.0, h1), -1.0, mixture(1.0, r, -1.0, IDENTITY))
-    return mixture(2.0 * mu, stretch, lam * s, r)
+def _corotated_stress(lam: float, mu: float, h: Matrix, h1: Matrix, memory: Float, e: Quad) -> Matrix:
+    before = rotations(memory, FIRST, e)
+    f1 = diagonal(h1, 1.0)
+    after = nearest(before, f1, _SWEEPS)
+    twice = mixture(1.0, before, 1.0, after)
+    s = contraction(before, diagonal(h, 1.0)) + contraction(after, f1) - 6.0
+    # Twice the stretch halfway, and from there half of the stress.
+    stretch = mixture(1.0, mixture(1.0, h, 1.0, h1), -1.0, diagonal(twice, -2.0))
+    return mixture(mu, stretch, 0.25 * lam * s, twice)
 
 
 @inner
-def _corotated_energy(lam: float, mu: float, h1: Matrix, memory: Float, row: int, sweeps: int) -> float:
-    f1 = mixture(1.0, IDENTITY, 1.0, h1)
-    r = columns(memory, row)
-    for _ in range(sweeps):
-        r = turned(r, f1)
-    keep(memory, row, r)
-    stretch = mixture(1.0, h1, -1.0, mixture(1.0, r, -1.0, IDENTITY))
+def _corotated_energy(count: int, lam: float, mu: float, h1: Matrix, memory: Float, e: Quad, sweeps: int) -> float:
+    r = nearest(rotations(memory, FIRST, e), diagonal(h1, 1.0), sweeps)
+    keep_before(memory, FIRST, before_row(count), e)
+    keep_rotations(memory, FIRST, e, r)
+    stretch = mixture(1.0, h1, -1.0, diagonal(r, -1.0))
     # tr RᵀF - 3 = R : (F - R), as R : R = 3.
     s = contraction(r, stretch)
     return mu * contraction(stretch, stretch) + 0.5 * lam * s * s
@@ -139,9 +155,9 @@ def _corotated_energy(lam: float, mu: float, h1: Matrix, memory: Float, row: int
 
 @inner
 def _kirchhoff_stress(lam: float, mu: float, h: Matrix, h1: Matrix) -> Matrix:
-    e = mixture(0.5, _strain(h), 0.5, _strain(h1))
-    f = mixture(1.0, IDENTITY, 0.5, mixture(1.0, h, 1.0, h1))
-    return product(f, mixture(2.0 * mu, e, lam * _trace(e), IDENTITY))
+    e = mixture(1.0, _strain(h), 1.0, _strain(h1))
+    f = diagonal(mixture(1.0, h, 1.0, h1), 2.0)
+    return product(f, diagonal(scaled(0.5 * mu, e), (0.25 * lam) * _trace(e)))
 
 
 @inner
@@ -152,25 +168,24 @@ def _kirchhoff_energy(lam: float, mu: float, h1: Matrix) -> float:
 
 
 @inner
-def _grown(h: Matrix) -> tuple[float, float, float]:
+def _grown(h: Matrix) -> tuple[float, float]:
     """`J - 1` without cancellation, and what of `½ (‖F‖² - 3) - (J - 1)` is beside it."""
     e, c = _strain(h), cofactor(_strain(h))
     first, second = _trace(e), _trace(c)
     third = e[0] * c[0] + e[1] * c[1] + e[2] * c[2]
-    f = mixture(1.0, IDENTITY, 1.0, h)
+    f = diagonal(h, 1.0)
     g = cofactor(f)
     J = f[0] * g[0] + f[1] * g[1] + f[2] * g[2]
-    if J > 0.0:
-        d = (2.0 * first + 4.0 * second + 8.0 * third) / (J + 1.0)
-        return d, (first * d - 4.0 * second - 8.0 * third) / (J + 1.0), J
-    return J - 1.0, first - (J - 1.0), J
+    grown = where(J, (2.0 * first + 4.0 * second + 8.0 * third) / (J + 1.0), J - 1.0)
+    rest = where(J, (first * grown - 4.0 * second - 8.0 * third) / (J + 1.0), first - (J - 1.0))
+    return grown, rest
 
 
 @inner
 def _neo_hookean_stress(lam: float, mu: float, h: Matrix, h1: Matrix) -> Matrix:
-    d, _, _ = _grown(h)
-    d1, _, _ = _grown(h1)
-    f = mixture(1.0, IDENTITY, 0.5, mixture(1.0, h, 1.0, h1))
+    d, _ = _grown(h)
+    d1, _ = _grown(h1)
+    f = diagonal(mixture(0.5, h, 0.5, h1), 1.0)
     twelfth = mixture(1.0, cofactor(f), 1.0 / 12.0, cofactor(mixture(1.0, h1, -1.0, h)))
     pressure = (lam + mu) * 0.5 * (d + d1)
     return mixture(mu, mixture(1.0, f, -1.0, twelfth), pressure, twelfth)
@@ -178,113 +193,118 @@ def _neo_hookean_stress(lam: float, mu: float, h: Matrix, h1: Matrix) -> Matrix:
 
 @inner
 def _neo_hookean_energy(lam: float, mu: float, h1: Matrix) -> float:
-    d, rest, _ = _grown(h1)
+    d, rest = _grown(h1)
     return mu * rest + 0.5 * (lam + mu) * d * d
 
 
-def stress_of(law: Any, lam: float, mu: float, h: Matrix, h1: Matrix, memory: Float, row: int) -> Matrix:
-    """Mean first Piola stress between two gradients of displacement [Pa]."""
+def stress_of(law: Any, lam: float, mu: float, h: Matrix, h1: Matrix, memory: Float, e: Quad) -> Matrix:
+    """Mean first Piola stress between two gradients of displacement, times the volume [J]."""
     raise NotImplementedError
 
 
-def energy_of(law: Any, lam: float, mu: float, h1: Matrix, memory: Float, row: int, sweeps: int) -> float:
-    """Density of energy [J/m³]."""
+def energy_of(law: Any, lam: float, mu: float, h1: Matrix, memory: Float, e: Quad, sweeps: int) -> float:
+    """Energy [J]."""
     raise NotImplementedError
 
 
 @overload(stress_of)
-def _stress_of(law, lam, mu, h, h1, memory, row):  # numba compares the names with the stub's
+def _stress_of(law, lam, mu, h, h1, memory, e):  # numba compares the names with the stub's
     kind = getattr(law, "instance_class", None)
     if kind is CorotatedTetrahedra:
-        return lambda law, lam, mu, h, h1, memory, row: _corotated_stress(lam, mu, h, h1, memory, row)
+        return lambda law, lam, mu, h, h1, memory, e: _corotated_stress(lam, mu, h, h1, memory, e)
     if kind is StVenantKirchhoff:
-        return lambda law, lam, mu, h, h1, memory, row: _kirchhoff_stress(lam, mu, h, h1)
+        return lambda law, lam, mu, h, h1, memory, e: _kirchhoff_stress(lam, mu, h, h1)
     if kind is NeoHookean:
-        return lambda law, lam, mu, h, h1, memory, row: _neo_hookean_stress(lam, mu, h, h1)
+        return lambda law, lam, mu, h, h1, memory, e: _neo_hookean_stress(lam, mu, h, h1)
     return None
 
 
 @overload(energy_of)
-def _energy_of(law, lam, mu, h1, memory, row, sweeps):
+def _energy_of(law, lam, mu, h1, memory, e, sweeps):
     kind = getattr(law, "instance_class", None)
     if kind is CorotatedTetrahedra:
-        return lambda law, lam, mu, h1, memory, row, sweeps: _corotated_energy(lam, mu, h1, memory, row, sweeps)
+        return lambda law, lam, mu, h1, memory, e, sweeps: _corotated_energy(
+            law.volume.shape[0], lam, mu, h1, memory, e, sweeps
+        )
     if kind is StVenantKirchhoff:
-        return lambda law, lam, mu, h1, memory, row, sweeps: _kirchhoff_energy(lam, mu, h1)
+        return lambda law, lam, mu, h1, memory, e, sweeps: _kirchhoff_energy(lam, mu, h1)
     if kind is NeoHookean:
-        return lambda law, lam, mu, h1, memory, row, sweeps: _neo_hookean_energy(lam, mu, h1)
+        return lambda law, lam, mu, h1, memory, e, sweeps: _neo_hookean_energy(lam, mu, h1)
     return None
 
 
 @inner
-def _gradient(law: Any, e: int, field: Float) -> Matrix:
-    """Gradient of a field over a tetrahedron."""
-    i, j, k, l = (
-        4 * at(law.corner, 4 * e),
-        4 * at(law.corner, 4 * e + 1),
-        4 * at(law.corner, 4 * e + 2),
-        4 * at(law.corner, 4 * e + 3),
-    )
-    x, y, z = at(field, i), at(field, i + 1), at(field, i + 2)
-    edges = (
-        at(field, j) - x,
-        at(field, k) - x,
-        at(field, l) - x,
-        at(field, j + 1) - y,
-        at(field, k + 1) - y,
-        at(field, l + 1) - y,
-        at(field, j + 2) - z,
-        at(field, k + 2) - z,
-        at(field, l + 2) - z,
-    )
-    return product(edges, _shapes(law, e))
-
-
-@inner
-def _shapes(law: Any, e: int) -> Matrix:
-    g = 12 * e
+def _shapes(law: Any, b: int) -> Matrix:
+    """∇N of four tetrahedra, a row for each of the last three corners."""
+    g = ROWS * b
     return (
-        at(law.gradient, g),
-        at(law.gradient, g + 1),
-        at(law.gradient, g + 2),
-        at(law.gradient, g + 4),
-        at(law.gradient, g + 5),
-        at(law.gradient, g + 6),
-        at(law.gradient, g + 8),
-        at(law.gradient, g + 9),
-        at(law.gradient, g + 10),
+        load(law.block, g, FOUR),
+        load(law.block, g + 1, FOUR),
+        load(law.block, g + 2, FOUR),
+        load(law.block, g + 3, FOUR),
+        load(law.block, g + 4, FOUR),
+        load(law.block, g + 5, FOUR),
+        load(law.block, g + 6, FOUR),
+        load(law.block, g + 7, FOUR),
+        load(law.block, g + 8, FOUR),
     )
 
 
 @inner
-def _push(law: Any, e: int, n: int, out: Float, x: float, y: float, z: float) -> None:
-    i = 4 * at(law.corner, 4 * e + n)
-    put(out, i, at(out, i) + x)
-    put(out, i + 1, at(out, i + 1) + y)
-    put(out, i + 2, at(out, i + 2) + z)
+def _constant(law: Any, b: int, which: int) -> float:
+    """λ and μ times the volume, or η, of four tetrahedra."""
+    return load(law.block, ROWS * b + 9 + which, FOUR)
+
+
+@inner
+def _gradient(field: Float, corners: tuple[Quad, Quad, Quad, Quad], shapes: Matrix) -> Matrix:
+    """Gradient of a field over four tetrahedra."""
+    start = four_rows(field, corners[0])
+    a, d, g = apart(start, four_rows(field, corners[1]))
+    b, e, h = apart(start, four_rows(field, corners[2]))
+    c, f, i = apart(start, four_rows(field, corners[3]))
+    return product((a, b, c, d, e, f, g, h, i), shapes)
+
+
+@inner
+def _corners(law: Any, e: Quad) -> tuple[Quad, Quad, Quad, Quad]:
+    return (
+        corner_rows(law.corner, 4, e, 0),
+        corner_rows(law.corner, 4, e, 1),
+        corner_rows(law.corner, 4, e, 2),
+        corner_rows(law.corner, 4, e, 3),
+    )
 
 
 @part
 def resist(law: Any, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]) -> None:
     """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`."""
     pull_ties(law, memory, x, ahead, rate, out, lanes)
-    for e in range(law.volume.shape[0]):
-        if is_cut(memory, law.cut, e):
-            continue
-        lam, mu = at(law.lame, 3 * e), at(law.lame, 3 * e + 1)
-        h, h1 = _gradient(law, e, x), _gradient(law, e, ahead)
-        stress = stress_of(law, lam, mu, h, h1, memory, FIRST + 3 * e)
+    count = law.volume.shape[0]
+    for first in range(0, count, 4):
+        b, e = first // 4, elements(first, count - 1)
+        corners, shapes = _corners(law, e), _shapes(law, b)
+        share = kept(memory, law.cut, e)
+        lam, mu = share * _constant(law, b, 0), share * _constant(law, b, 1)
+        h, h1 = _gradient(x, corners, shapes), _gradient(ahead, corners, shapes)
+        stress = stress_of(law, lam, mu, h, h1, memory, e)
         if law.viscosity > 0.0:
-            f = mixture(1.0, IDENTITY, 0.5, mixture(1.0, h, 1.0, h1))
-            slip = symmetric(transposed_product(f, _gradient(law, e, rate)))
-            drag = mixture(2.0 * mu, slip, lam * _trace(slip), IDENTITY)
-            stress = mixture(1.0, stress, at(law.lame, 3 * e + 2), product(f, drag))
-        p = product(stress, transpose(_shapes(law, e)))
-        v = at(law.volume, e)
-        _push(law, e, 1, out, v * p[0], v * p[3], v * p[6])
-        _push(law, e, 2, out, v * p[1], v * p[4], v * p[7])
-        _push(law, e, 3, out, v * p[2], v * p[5], v * p[8])
-        _push(law, e, 0, out, -v * (p[0] + p[1] + p[2]), -v * (p[3] + p[4] + p[5]), -v * (p[6] + p[7] + p[8]))
+            f = diagonal(mixture(1.0, h, 1.0, h1), 2.0)  # twice that halfway
+            slip = symmetric(transposed_product(f, _gradient(rate, corners, shapes)))
+            eta = 0.25 * _constant(law, b, 2)
+            drag = product(f, diagonal(scaled(2.0 * eta * mu, slip), eta * lam * _trace(slip)))
+            stress = mixture(1.0, stress, 1.0, drag)
+        p = product(stress, transpose(shapes))
+        one, two, three = as_rows((p[0], p[3], p[6])), as_rows((p[1], p[4], p[7])), as_rows((p[2], p[5], p[8]))
+        add_rows(out, corners[1], one)
+        add_rows(out, corners[2], two)
+        add_rows(out, corners[3], three)
+        take_rows(out, corners[0], _sum(one, two, three))
+
+
+@inner
+def _sum(a: Rows, b: Rows, c: Rows) -> Rows:
+    return a[0] + b[0] + c[0], a[1] + b[1] + c[1], a[2] + b[2] + c[2], a[3] + b[3] + c[3]
 
 
 @part
@@ -292,16 +312,20 @@ def evaluate(
     law: Any, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:
     """Energy at the end of a step, whose rotations it keeps, and the power of the dampers in it."""
-    energy, power = weigh_ties(law, memory, ahead, rate, lanes)
-    for e in range(law.volume.shape[0]):
-        if is_cut(memory, law.cut, e):
-            continue
-        lam, mu, v = at(law.lame, 3 * e), at(law.lame, 3 * e + 1), at(law.volume, e)
-        h1 = _gradient(law, e, ahead)
-        energy += v * energy_of(law, lam, mu, h1, memory, FIRST + 3 * e, sweeps)
+    tied, damped = weigh_ties(law, memory, ahead, rate, lanes)
+    energy, power = splat(0.0, FOUR), splat(0.0, FOUR)
+    count = law.volume.shape[0]
+    for first in range(0, count, 4):
+        b, e = first // 4, elements(first, count - 1)
+        corners, shapes = _corners(law, e), _shapes(law, b)
+        share = kept(memory, law.cut, e)
+        lam, mu = share * _constant(law, b, 0), share * _constant(law, b, 1)
+        h1 = _gradient(ahead, corners, shapes)
+        energy = energy + energy_of(law, lam, mu, h1, memory, e, sweeps)
         if law.viscosity > 0.0:
-            f = mixture(1.0, IDENTITY, 0.5, mixture(1.0, _gradient(law, e, x), 1.0, h1))
-            slip = symmetric(transposed_product(f, _gradient(law, e, rate)))
+            f = diagonal(mixture(1.0, _gradient(x, corners, shapes), 1.0, h1), 2.0)
+            slip = symmetric(transposed_product(f, _gradient(rate, corners, shapes)))
             trace = _trace(slip)
-            power += v * at(law.lame, 3 * e + 2) * (2.0 * mu * contraction(slip, slip) + lam * trace * trace)
-    return energy, power
+            lost = 2.0 * mu * contraction(slip, slip) + lam * trace * trace
+            power = power + (0.25 * _constant(law, b, 2)) * lost
+    return tied + total(energy), damped + total(power)

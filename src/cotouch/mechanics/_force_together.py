@@ -20,7 +20,7 @@ from numba.extending import overload
 
 from cotouch.arrays import Float
 from cotouch.mechanics._force import LAWS, LEANS, evaluate, lean, resist
-from cotouch.mechanics._force_memory import forget, fresh_memory
+from cotouch.mechanics._force_memory import forget, fresh_memory, take_back
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._vector import at, put
 
@@ -156,6 +156,25 @@ def _forget_all(law: Together, memory: Float) -> None:
         put(memory, place, 0.0)
     for b in range(law.kind.shape[0]):
         forget(memory[at(law.memory, b) : at(law.memory, b + 1)], 0)
+
+
+def undo(law: Any, memory: Float, behind: int) -> None:
+    """Takes all rotations of any law back to those with which the last evaluation began. Kernels only."""
+    del law, memory, behind
+    raise NotImplementedError
+
+
+@overload(undo)
+def _undo(law, memory, behind):
+    if law.instance_class is Together:
+        return lambda law, memory, behind: _undo_all(law, memory)
+    return lambda law, memory, behind: take_back(memory, behind)
+
+
+@part
+def _undo_all(law: Together, memory: Float) -> None:
+    for b in range(law.kind.shape[0]):
+        take_back(memory[at(law.memory, b) : at(law.memory, b + 1)], 0)
 
 
 def _piece(pack: Any, k: Any) -> Any:

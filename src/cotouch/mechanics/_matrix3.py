@@ -1,8 +1,12 @@
-"""Matrices of three by three as tuples of nine numbers, row by row, and the rotation nearest to one."""
+"""Matrices of three by three as tuples of nine numbers, row by row, and the rotation nearest to one.
+
+A "number" may be a machine vector: all of this then works on four matrices at once.
+"""
 
 from typing import TypeAlias
 
 from cotouch.mechanics._kernel import inner
+from cotouch.mechanics._vector import lower, size, total, where
 
 Matrix: TypeAlias = tuple[float, float, float, float, float, float, float, float, float]
 Vector: TypeAlias = tuple[float, float, float]
@@ -10,6 +14,8 @@ Vector: TypeAlias = tuple[float, float, float]
 IDENTITY = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 # A solve is trusted down to this determinant beside the cube of the matrix's size.
 _FLAT = 1e-12
+# Sweeps that a step takes at most, and squares of the angles after which the next is left out.
+_STEP, _LITTLE, _NOTHING = 2, 2.5e-5, 1e-24
 
 
 @inner
@@ -61,6 +67,18 @@ def mixture(p: float, a: Matrix, q: float, b: Matrix) -> Matrix:
         p * a[7] + q * b[7],
         p * a[8] + q * b[8],
     )
+
+
+@inner
+def diagonal(a: Matrix, q: float) -> Matrix:
+    """`A + q I`."""
+    return a[0] + q, a[1], a[2], a[3], a[4] + q, a[5], a[6], a[7], a[8] + q
+
+
+@inner
+def scaled(p: float, a: Matrix) -> Matrix:
+    """`p A`."""
+    return p * a[0], p * a[1], p * a[2], p * a[3], p * a[4], p * a[5], p * a[6], p * a[7], p * a[8]
 
 
 @inner
@@ -120,17 +138,15 @@ def solved(a: Matrix, b: Vector) -> Vector:
     """`A⁻¹ b` for a symmetric matrix; where A is singular or indefinite, `b` over twice its size: a safe step."""
     c = cofactor(a)
     determinant = a[0] * c[0] + a[1] * c[1] + a[2] * c[2]
-    size = abs(a[0]) + abs(a[4]) + abs(a[8])
-    sound = determinant > _FLAT * size * size * size and c[0] > 0.0 and a[0] > 0.0 and c[8] > 0.0
-    if sound:
-        scale = 1.0 / determinant
-        return (
-            scale * (c[0] * b[0] + c[3] * b[1] + c[6] * b[2]),
-            scale * (c[1] * b[0] + c[4] * b[1] + c[7] * b[2]),
-            scale * (c[2] * b[0] + c[5] * b[1] + c[8] * b[2]),
-        )
-    scale = 0.5 / size if size > 0.0 else 0.0
-    return scale * b[0], scale * b[1], scale * b[2]
+    bulk = size(a[0]) + size(a[4]) + size(a[8])
+    sound = lower(lower(determinant - _FLAT * bulk * bulk * bulk, c[0]), lower(a[0], c[8]))
+    scale = 1.0 / determinant
+    safe = where(bulk, 0.5 / bulk, 0.0)
+    return (
+        where(sound, scale * (c[0] * b[0] + c[3] * b[1] + c[6] * b[2]), safe * b[0]),
+        where(sound, scale * (c[1] * b[0] + c[4] * b[1] + c[7] * b[2]), safe * b[1]),
+        where(sound, scale * (c[2] * b[0] + c[5] * b[1] + c[8] * b[2]), safe * b[2]),
+    )
 
 
 @inner
@@ -142,8 +158,8 @@ def inertia(m: Matrix) -> Matrix:
 
 
 @inner
-def turned(r: Matrix, s: Matrix) -> Matrix:
-    """One Newton sweep towards the rotation R that maximises `tr RᵀS`.
+def turned(r: Matrix, s: Matrix) -> tuple[Matrix, float]:
+    """One Newton sweep towards the rotation R that maximises `tr RᵀS`, and the square of the angle it turned by.
 
     `R cay(w)` with `w = (tr M · I - sym M)⁻¹ axial M`, `M = RᵀS`; it stays a rotation however far it is from the best.
     """
@@ -164,4 +180,18 @@ def turned(r: Matrix, s: Matrix) -> Matrix:
         h * w[2] * w[1] + c * w[0],
         1.0 + h * (w[2] * w[2] - square),
     )
-    return product(r, q)
+    return product(r, q), square
+
+
+@inner
+def nearest(r: Matrix, s: Matrix, sweeps: int) -> Matrix:
+    """The rotation that maximises `tr RᵀS`, found from another in at most so many sweeps.
+
+    What a sweep leaves is of the order of the square of what it turned by, times the strain. Where a step takes two,
+    the second is left out where the first hardly turned; a search from nowhere goes on until nothing is left.
+    """
+    for _ in range(sweeps):
+        r, square = turned(r, s)
+        if total(square) <= (_LITTLE if sweeps <= _STEP else _NOTHING):
+            break
+    return r

@@ -15,7 +15,7 @@ from typing import Any
 
 from llvmlite import ir
 from numba.core import types
-from numba.core.cgutils import unpack_tuple
+from numba.core.cgutils import get_or_insert_function, unpack_tuple
 from numba.core.errors import TypingError
 from numba.extending import models, overload, register_model
 
@@ -141,6 +141,86 @@ def total(typingctx: Any, vector: Any) -> Any:
         return result
 
     return types.float64(vector), generate
+
+
+def _four_of(builder: Any, values: Any) -> Any:
+    vector = ir.Constant(ir.VectorType(ir.DoubleType(), 4), ir.Undefined)
+    for k, value in enumerate(values):
+        vector = builder.insert_element(vector, value, ir.Constant(ir.IntType(32), k))
+    return vector
+
+
+def _shuffled(builder: Any, one: Any, other: Any, lanes: tuple[int, ...]) -> Any:
+    return builder.shuffle_vector(one, other, ir.Constant(ir.VectorType(ir.IntType(32), 4), list(lanes)))
+
+
+@intrinsic
+def four(typingctx: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
+    """A vector of four numbers."""
+    del typingctx, a, b, c, d
+
+    def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        del context, signature
+        return _four_of(builder, args)
+
+    return Vec(4)(*[types.float64] * 4), generate
+
+
+@intrinsic
+def transposed(typingctx: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
+    """The rows of a matrix of four by four as its columns."""
+    del typingctx, a, b, c, d
+
+    def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        a, b, c, d = args
+        even, odd = (0, 4, 2, 6), (1, 5, 3, 7)
+        x, y = (_shuffled(builder, a, b, lanes) for lanes in (even, odd))
+        z, w = (_shuffled(builder, c, d, lanes) for lanes in (even, odd))
+        low, high = (0, 1, 4, 5), (2, 3, 6, 7)
+        pairs = ((x, z, low), (y, w, low), (x, z, high), (y, w, high))
+        return context.make_tuple(builder, signature.return_type, [_shuffled(builder, *pair) for pair in pairs])
+
+    return types.UniTuple(Vec(4), 4)(*[Vec(4)] * 4), generate
+
+
+@intrinsic
+def where(typingctx: Any, test: Any, yes: Any, no: Any) -> Any:
+    """`yes` where a number or the lane of a vector is above 0, `no` elsewhere."""
+    del typingctx
+    width = max((kind.width for kind in (test, yes, no) if isinstance(kind, Vec)), default=1)
+    kinds = [kind if isinstance(kind, Vec) else types.float64 for kind in (test, yes, no)]
+
+    def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        del context
+        sides = [
+            value if isinstance(kind, Vec) or width == 1 else _broadcast(builder, value, width)
+            for value, kind in zip(args, signature.args, strict=True)
+        ]
+        zero = ir.Constant(sides[0].type, 0.0 if width == 1 else [0.0] * width)
+        return builder.select(builder.fcmp_ordered(">", sides[0], zero), *sides[1:])
+
+    return (types.float64 if width == 1 else Vec(width))(*kinds), generate
+
+
+def _called(name: str) -> Any:
+    @intrinsic
+    def apply(typingctx: Any, vector: Any) -> Any:
+        del typingctx
+
+        def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+            del context, signature
+            kind = args[0].type
+            whole = f"{name}.v{kind.count}f64" if isinstance(vector, Vec) else f"{name}.f64"
+            return builder.call(get_or_insert_function(builder.module, ir.FunctionType(kind, [kind]), whole), args)
+
+        return vector(vector), generate
+
+    return apply
+
+
+# Of a number, or lane by lane.
+root = _called("llvm.sqrt")
+size = _called("llvm.fabs")
 
 
 def _select(order: str) -> Any:

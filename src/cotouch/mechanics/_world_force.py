@@ -44,12 +44,6 @@ def looks_of(world: World | None, directions: int, dense: bool) -> int:
 
 
 @inner
-def corrects(world: World | None) -> bool:
-    """Whether a look after the first only corrects what the one before missed, with a coarse solve."""
-    return world is not None
-
-
-@inner
 def _meet(
     world: World, memory: Float, s: int, p: int, x: float, y: float, z: float, mx: float, my: float, mz: float,
     T: float,

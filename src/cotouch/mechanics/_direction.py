@@ -1,0 +1,254 @@
+"""Where a closed step goes: looks ahead by the true mean force, each corrected by the constant matrix."""
+
+from cotouch.arrays import Float
+from cotouch.mechanics._force import BodyForce, lean, resist
+from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._meeting import Parts
+from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, mixed, row_product
+from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
+from cotouch.mechanics._step import assemble, solve_step
+from cotouch.mechanics._vector import at, load, put, splat, store, total
+from cotouch.mechanics._world_force import lean_world, press_world
+
+# How much of what the last look missed the next may leave.
+COARSE = 0.03
+# Change of v̂ from one look to the next, of itself, below which the next would change it by rounding only.
+_SETTLED = 1e-9
+# And change of places, which is below their rounding: who rests has a v̂ of noise alone [m].
+_STILL = 1e-18
+
+
+@part
+def direct(
+    op: Operator,
+    force: BodyForce,
+    state: State,
+    links: Links,
+    ports: Ports,
+    local_damping: Float,
+    extra_damping: Float,
+    T: float,
+    work: Workspace,
+    ledger: Float,
+    tolerance: float,
+    cap: int,
+    lanes: tuple[int, ...],
+) -> tuple[float, float]:
+    """Corrects v̂ by what it misses of the forces where it leads, by `predict`; a coarse solve is enough for that.
+
+    What of the momentum of these forces the solve leaves is given to the body as a whole, so that all of it arrives.
+
+    Returns:
+        Squares of the correction, and of v̂ about the centre of mass, in the norm of M; or nothing that says anything.
+    """
+    assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
+    lean_world(force.world, op.copy_scale * op.firmness, work.mean, work, lanes)
+    if op.entries.shape[0] == 0:
+        ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, cap, lanes)
+        return 1.0, 0.0
+    lack(op, T, work, lanes)
+    for i in range(op.mass.shape[0]):
+        store(work.pull, i, load(work.mean, i, lanes), lanes)
+    ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, COARSE), cap, lanes)
+    if force.parts is None:
+        add_momentum(op, T, work, lanes)
+    zero = splat(0.0, lanes)
+    change, moving, momentum, mass = zero, zero, zero, 0.0
+    for i in range(op.mass.shape[0]):
+        more, m = load(work.mean, i, lanes), at(op.mass, i)
+        rate = load(work.pull, i, lanes) + more
+        store(work.mean, i, rate, lanes)
+        change = change + m * (more * more)
+        moving = moving + m * (rate * rate)
+        momentum = momentum + m * rate
+        mass += m
+    return total(change), total(moving) - total(momentum * momentum) / mass
+
+
+@inner
+def _outer(op: Operator, T: float, i: int, work: Workspace) -> float:
+    """What stands on the diagonal of A without the springs and dampers within the body, whose force is known."""
+    inside = at(op.damping, i) - at(op.drag, i) + 0.5 * T * (at(op.stiffness, i) - at(op.ground, i))
+    return at(work.diagonal, i) - op.copy_scale * inside
+
+
+@inner
+def _beside(op: Operator, T: float, family: int, work: Workspace) -> float:
+    """And what of a family off the diagonal: of weights that couple nodes."""
+    inside = at(op.mix, (DAMPING, family)) + 0.5 * T * at(op.mix, (STIFFNESS, family))
+    return at(work.scale, family) - op.copy_scale * inside
+
+
+@inner
+def _couples(op: Operator) -> bool:
+    """Whether there are any."""
+    coupled = mixed(op, MASS)
+    for matrix in range(WEIGHTS, op.mix.shape[0]):
+        coupled = coupled or mixed(op, matrix)
+    return coupled
+
+
+@part
+def lack(op: Operator, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
+    """Takes off the right-hand side what is done by v̂, but for springs and dampers within the body."""
+    couples = _couples(op)
+    for i in range(op.mass.shape[0]):
+        left = load(work.rhs, i, lanes) - _outer(op, T, i, work) * load(work.mean, i, lanes)
+        for family in range(op.entries.shape[0] if couples else 0):
+            left = left - _beside(op, T, family, work) * row_product(op, family, i, work.mean, lanes)
+        store(work.rhs, i, left, lanes)
+
+
+@part
+def add_momentum(op: Operator, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
+    """Moves the body as a whole so that `A v̂` has the momentum of the right-hand side."""
+    left, whole, couples = splat(0.0, lanes), 0.0, _couples(op)
+    for i in range(op.mass.shape[0]):
+        own = _outer(op, T, i, work)
+        for family in range(op.entries.shape[0] if couples else 0):
+            for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
+                own += _beside(op, T, family, work) * at(op.entries, (family, e))
+        left = left + (load(work.rhs, i, lanes) - own * load(work.mean, i, lanes))
+        whole += own
+    left = (1.0 / whole) * left
+    for i in range(op.mass.shape[0]):
+        store(work.mean, i, load(work.mean, i, lanes) + left, lanes)
+
+
+@part
+def miss(op: Operator, diagonal: Float, rhs: Float, work: Workspace, out: Float, lanes: tuple[int, ...]) -> None:
+    """What `A v̂` lacks of a right-hand side; `out` may be it."""
+    for i in range(diagonal.shape[0]):
+        left = load(rhs, i, lanes) - diagonal[i] * load(work.mean, i, lanes)
+        for family in range(op.entries.shape[0]):
+            left = left - work.scale[family] * row_product(op, family, i, work.mean, lanes)
+        store(out, i, left, lanes)
+
+
+@part
+def level(
+    op: Operator,
+    force: BodyForce,
+    parts: Parts | None,
+    state: State,
+    links: Links,
+    ports: Ports,
+    local_damping: Float,
+    extra_damping: Float,
+    T: float,
+    work: Workspace,
+    lanes: tuple[int, ...],
+) -> None:
+    """Moves each of several bodies as a whole so that it gets just the momentum of the forces where v̂ leads.
+
+    Coarse solves, and looks that end before contact is exactly what it was, would make some out of nothing.
+    """
+    if parts is None:
+        return
+    predict(op, force, state, T, True, work, lanes)
+    assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
+    miss(op, work.diagonal, work.rhs, work, work.rhs, lanes)
+    for b in range(parts.worked.shape[0]):
+        for what in range(4):
+            put(parts.sums, (b, what), 0.0)
+    if ports.shape.shape[0] > 0:
+        for p in range(ports.first, ports.last):
+            _take_port(ports, parts, p, at(work.port_gain, p - ports.first), work)
+    for i in range(op.mass.shape[0]):
+        b, own = at(parts.part, i), at(work.diagonal, i)
+        for family in range(op.entries.shape[0]):
+            for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
+                own += work.scale[family] * at(op.entries, (family, e))
+        put(parts.sums, (b, 0), at(parts.sums, (b, 0)) + own)
+        for a in range(3):
+            put(parts.sums, (b, 1 + a), at(parts.sums, (b, 1 + a)) + at(work.rhs, (i, a)))
+    for i in range(op.mass.shape[0]):
+        b = at(parts.part, i)
+        for a in range(3):
+            put(work.mean, (i, a), at(work.mean, (i, a)) + at(parts.sums, (b, 1 + a)) / at(parts.sums, (b, 0)))
+
+
+@part
+def _take_port(ports: Ports, parts: Parts | None, p: int, gain: float, work: Workspace) -> None:
+    """Takes off a right-hand side what a port that holds many rows resists, and notes how it resists each body."""
+    if parts is None:
+        return
+    for i in range(work.mean.shape[0]):
+        b, own = at(parts.part, i), gain * at(ports.shape, (p, i))
+        if own == 0.0:
+            continue
+        for j in range(work.mean.shape[0]):
+            share = at(ports.shape, (p, j))
+            if at(parts.part, j) == b:
+                put(parts.sums, (b, 0), at(parts.sums, (b, 0)) + own * share)
+            for a in range(3):
+                put(work.rhs, (i, a), at(work.rhs, (i, a)) - own * share * at(work.mean, (j, a)))
+
+
+@part
+def predict(
+    op: Operator, force: BodyForce, state: State, T: float, whole: bool, work: Workspace, lanes: tuple[int, ...]
+) -> bool:
+    """Writes into `tension` the body's true mean force where v̂ leads.
+
+    Args:
+        op: the body.
+        force: what resists inside.
+        state: where the copy is.
+        T: length of the step [s].
+        whole: whether the linear system of a step shall ask for that force: then what its own springs and dampers do
+            within the body is taken off.
+        work: scratch; `mean` is v̂.
+        lanes: fixes the width.
+
+    Returns:
+        Whether obstacles do what they did by the rate before.
+    """
+    rows, families, rate = op.mass.shape[0], op.entries.shape[0], work.mean
+    zero = splat(0.0, lanes)
+    for i in range(rows):
+        store(work.ahead, i, load(state.position, i, lanes) + T * load(rate, i, lanes), lanes)
+        store(work.pull, i, zero, lanes)
+    resist(force.law, state.memory, state.position, work.ahead, rate, work.pull, lanes)
+    gravity = op.firmness * load(force.gravity, 0, lanes)
+    for i in range(rows):
+        tension = op.firmness * load(work.pull, i, lanes) - at(op.mass, i) * gravity
+        tension = tension + at(op.ground, i) * load(state.position, i, lanes)
+        own = load(rate, i, lanes)
+        for family in range(families if whole else 0):
+            scale = 0.5 * T * op.mix[STIFFNESS, family] + op.mix[DAMPING, family]
+            slip = zero
+            for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
+                slip = slip + at(op.entries, (family, e)) * (load(rate, at(op.column, e), lanes) - own)
+            tension = tension - scale * slip
+        store(state.tension, i, tension, lanes)
+    told = work.dense.shape[0] == 0 or _lean(op, force, state, T, rate, work, lanes)
+    return press_world(force.world, op.firmness, state.memory, state.position, work.ahead, T, state.tension) and told
+
+
+@part
+def _lean(
+    op: Operator, force: BodyForce, state: State, T: float, rate: Float, work: Workspace, lanes: tuple[int, ...]
+) -> bool:
+    """Puts the law's tangent at a rate into `dense`, and off `tension` what that does; whether the rate has settled."""
+    rows, dense = op.mass.shape[0], work.dense
+    for p in range(dense.shape[0]):
+        for q in range(dense.shape[1]):
+            put(dense, (p, q), 0.0)
+    lean(force.law, state.memory, state.position, work.ahead, rate, T, dense, lanes)
+    change, size = 0.0, 0.0
+    for i in range(rows):
+        for a in range(3):
+            given = 0.0
+            for j in range(rows):
+                for b in range(3):
+                    given += at(dense, (3 * i + a, 3 * j + b)) * at(rate, (j, b))
+            put(state.tension, (i, a), at(state.tension, (i, a)) - op.firmness * given)
+            change += (at(rate, (i, a)) - at(work.tried, (i, a))) ** 2
+            size += at(rate, (i, a)) ** 2
+            put(work.tried, (i, a), at(rate, (i, a)))
+    scale = op.copy_scale * op.firmness
+    for p in range(dense.shape[0]):
+        for q in range(dense.shape[1]):
+            put(dense, (p, q), scale * at(dense, (p, q)))
+    return change <= _SETTLED * _SETTLED * size or T * T * change <= _STILL * _STILL
