@@ -49,6 +49,8 @@ def direct(
     lack(op, T, work, lanes)
     for i in range(op.mass.shape[0]):
         store(work.pull, i, load(work.mean, i, lanes), lanes)
+    if force.parts is None:
+        move_whole(op, T, work, lanes)
     ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, COARSE), cap, lanes)
     if force.parts is None:
         add_momentum(op, T, work, lanes)
@@ -99,15 +101,35 @@ def lack(op: Operator, T: float, work: Workspace, lanes: tuple[int, ...]) -> Non
         store(work.rhs, i, left, lanes)
 
 
+@inner
+def _row(op: Operator, T: float, i: int, couples: bool, work: Workspace) -> float:
+    """Sum of a row of A: springs and dampers within the body do not feel what moves it as a whole."""
+    own = _outer(op, T, i, work)
+    for family in range(op.entries.shape[0] if couples else 0):
+        for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
+            own += _beside(op, T, family, work) * at(op.entries, (family, e))
+    return own
+
+
 @part
-def add_momentum(op: Operator, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Moves the body as a whole so that `A v̂` has the momentum of the right-hand side."""
+def move_whole(op: Operator, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
+    """Moves the body as a whole, in `pull`, as its momentum asks; the right-hand side gets what is left for a solve."""
     left, whole, couples = splat(0.0, lanes), 0.0, _couples(op)
     for i in range(op.mass.shape[0]):
-        own = _outer(op, T, i, work)
-        for family in range(op.entries.shape[0] if couples else 0):
-            for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
-                own += _beside(op, T, family, work) * at(op.entries, (family, e))
+        left = left + load(work.rhs, i, lanes)
+        whole += _row(op, T, i, couples, work)
+    left = (1.0 / whole) * left
+    for i in range(op.mass.shape[0]):
+        store(work.rhs, i, load(work.rhs, i, lanes) - _row(op, T, i, couples, work) * left, lanes)
+        store(work.pull, i, load(work.pull, i, lanes) + left, lanes)
+
+
+@part
+def add_momentum(op: Operator, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
+    """Moves the body as a whole so that `A v̂` has the momentum of the right-hand side, which a solve missed."""
+    left, whole, couples = splat(0.0, lanes), 0.0, _couples(op)
+    for i in range(op.mass.shape[0]):
+        own = _row(op, T, i, couples, work)
         left = left + (load(work.rhs, i, lanes) - own * load(work.mean, i, lanes))
         whole += own
     left = (1.0 / whole) * left
