@@ -206,7 +206,7 @@ class System:
     def conjugate_gradients(self, b: np.ndarray, tolerance: float) -> np.ndarray:
         x, *scratch = (np.full((b.size, 1), np.nan) for _ in range(4))
         arrays = (self.op, self.op.entries[0], self.scale, self.diagonal, self.inverse, b[:, None].copy(), x, *scratch)
-        self.taken = conjugate_gradients(*arrays, tolerance, 10_000, (0,))
+        self.taken = conjugate_gradients(*arrays, tolerance, 0, 10_000, (0,))
         return x[:, 0]
 
     def size(self, residual: np.ndarray) -> float:
@@ -373,7 +373,7 @@ class TestChoice:
         values = work.scale @ op.entries
         x, *scratch = (np.zeros_like(work.rhs) for _ in range(4))
         arrays = (op, values, 1.0, work.diagonal, work.inverse, work.rhs, x, *scratch)
-        assert copy.iterations == conjugate_gradients(*arrays, 1e-6, 10_000, copy.model.lanes)
+        assert copy.iterations == conjugate_gradients(*arrays, 1e-6, 0, 10_000, copy.model.lanes)
         assert self.predicted(copy) == 0
         assert np.allclose(work.mean, x, rtol=1e-9, atol=1e-9 * np.abs(x).max())
 

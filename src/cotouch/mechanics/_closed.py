@@ -47,8 +47,9 @@ from cotouch.mechanics._world_force import looks_of, settle_world, take_up
 
 # Sweeps of the rotations from nowhere.
 _MANY = 60
-# What the next look would change, of the motion about the centre of mass, for which it is not taken.
-ENOUGH = 2e-4
+# What the next look would change, of the motion about the centre of mass, for which it is not taken; and of the cube of
+# what the first one changed of it, which is as T: so what is left out shrinks with the step as fast as the closure.
+ENOUGH, CUBED = 2e-4, 0.02
 # A step whose end velocity is changed by more than this is told: its forces and its energy disagree.
 CLOSURE_ALARM = 1e-2
 
@@ -94,7 +95,8 @@ def closed_step(
     ledger[ITERATIONS] = 0.0
     for i in range(op.mass.shape[0]):
         store(work.mean, i, load(state.velocity, i, lanes), lanes)
-    directions, before, alone = looks_ahead(state.memory, force.directions, force.cut), 0.0, force.parts is None
+    directions, alone = looks_ahead(state.memory, force.directions, force.cut), force.parts is None
+    first, before = 0.0, 0.0
     for number in range(looks_of(force.world, directions, work.dense.shape[0] > 0)):
         settled = predict(op, force, state, T, False, work, lanes)
         if number >= directions and settled:
@@ -115,10 +117,14 @@ def closed_step(
             lanes,
         )
         # Each look leaves about that share of the last one's change by which that was smaller than the one before.
-        if number > 0 and alone and change * change <= ENOUGH * ENOUGH * moving * before:
-            directions = min(directions, number + 1)
-            if force.world is None:
-                break
+        if number == 0:
+            first = change
+        elif alone:
+            left = change * change * moving
+            if left <= before * (ENOUGH * moving) ** 2 and left * moving <= before * CUBED * CUBED * first**3:
+                directions = min(directions, number + 1)
+                if force.world is None:
+                    break
         before = change
     level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
     attempt, length, refused = 0, 1.0, False

@@ -4,7 +4,7 @@
 from cotouch.arrays import Float
 from cotouch.mechanics._contact_near import say
 from cotouch.mechanics._contact_work import ContactWork
-from cotouch.mechanics._direction import miss
+from cotouch.mechanics._direction import FEW, miss
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._operator import Operator, row_product
 from cotouch.mechanics._state import ITERATIONS, Ports, Workspace
@@ -53,12 +53,12 @@ def solve_touched(
         work.diagonal[i] += touch.hold[i]
         store(rhs, i, load(rhs, i, lanes) + load(push, i, lanes), lanes)
     if not coarse:
-        ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, cap, lanes)
+        ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, 0, cap, lanes)
     else:
         miss(op, work.diagonal, rhs, work, rhs, lanes)
         for i in range(mean.shape[0]):
             store(touch.found, i, load(mean, i, lanes), lanes)
-        ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, _COARSE), cap, lanes)
+        ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, _COARSE), FEW, cap, lanes)
         for i in range(mean.shape[0]):
             store(mean, i, load(mean, i, lanes) + load(touch.found, i, lanes), lanes)
     for c in range(touch.many[0]):

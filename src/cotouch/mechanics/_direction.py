@@ -12,6 +12,8 @@ from cotouch.mechanics._world_force import lean_world, press_world
 
 # How much of what the last look missed the next may leave.
 COARSE = 0.03
+# And how many iterations it takes at least: what they leave shrinks with the step, so that the closure does.
+FEW = 2
 # Change of v̂ from one look to the next, of itself, below which the next would change it by rounding only.
 _SETTLED = 1e-9
 # And change of places, which is below their rounding: who rests has a v̂ of noise alone [m].
@@ -44,14 +46,14 @@ def direct(
     assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
     lean_world(force.world, op.copy_scale * op.firmness, work.mean, work, lanes)
     if op.entries.shape[0] == 0:
-        ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, cap, lanes)
+        ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, 0, cap, lanes)
         return 1.0, 0.0
     lack(op, T, work, lanes)
     for i in range(op.mass.shape[0]):
         store(work.pull, i, load(work.mean, i, lanes), lanes)
     if force.parts is None:
         move_whole(op, T, work, lanes)
-    ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, COARSE), cap, lanes)
+    ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, COARSE), FEW, cap, lanes)
     if force.parts is None:
         add_momentum(op, T, work, lanes)
     zero = splat(0.0, lanes)

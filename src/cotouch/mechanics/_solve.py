@@ -166,6 +166,7 @@ def conjugate_gradients(
     direction: Float,
     image: Float,
     tolerance: float,
+    least: int,
     cap: int,
     lanes: tuple[int, ...],
 ) -> int:
@@ -183,6 +184,7 @@ def conjugate_gradients(
         direction: scratch (rows, width).
         image: scratch (rows, width).
         tolerance: on the residual relative to the right-hand side, both in the norm of diagonal⁻¹.
+        least: number of iterations below which no tolerance is met but that of a zero.
         cap: largest number of iterations, >= 1.
         lanes: fixes the width.
 
@@ -203,7 +205,7 @@ def conjugate_gradients(
     target = max(tolerance * tolerance * size, _FLOOR)
     iterations = 0
     # Written so that NaN enters, spoils the solution, and is seen, instead of passing for a body at rest.
-    while not size <= target and iterations < cap:
+    while not size <= (target if iterations >= least else _FLOOR) and iterations < cap:
         curvature = splat(0.0, lanes)
         for i in range(rows):
             own = load(direction, i, lanes)

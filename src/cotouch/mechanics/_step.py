@@ -74,7 +74,7 @@ def step(
         lanes: fixes the width of a row.
     """
     assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
-    ledger[ITERATIONS] = solve_step(op, ports, work, tolerance, cap, lanes)
+    ledger[ITERATIONS] = solve_step(op, ports, work, tolerance, 0, cap, lanes)
     ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
     move(op, state, links, T, sample, work, link_work, lanes)
     book_energies(op, state, local_damping, extra_damping, T, work, ledger, lanes)
@@ -178,7 +178,9 @@ def assemble(
 
 
 @inner
-def solve_step(op: Operator, ports: Ports, work: Workspace, tolerance: float, cap: int, lanes: tuple[int, ...]) -> int:
+def solve_step(
+    op: Operator, ports: Ports, work: Workspace, tolerance: float, least: int, cap: int, lanes: tuple[int, ...]
+) -> int:
     families = op.entries.shape[0]
     if work.dense.shape[0] > 0:
         solve_dense(op, ports, work)
@@ -218,7 +220,7 @@ def solve_step(op: Operator, ports: Ports, work: Workspace, tolerance: float, ca
             work.rhs,
             work.mean,
             bound,
-            min(enough, cap),
+            min(max(enough, least), cap),
             lanes,
         )
     return conjugate_gradients(
@@ -233,6 +235,7 @@ def solve_step(op: Operator, ports: Ports, work: Workspace, tolerance: float, ca
         work.direction,
         work.image,
         tolerance,
+        least,
         cap,
         lanes,
     )
