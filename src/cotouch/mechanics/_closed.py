@@ -120,8 +120,8 @@ def closed_step(
         if number == 0:
             first = change
         elif alone:
-            left = change * change * moving
-            if left <= before * (ENOUGH * moving) ** 2 and left * moving <= before * CUBED * CUBED * first**3:
+            enough = change * change <= before * moving * ENOUGH * ENOUGH
+            if enough and (change * moving) ** 2 <= before * first**3 * CUBED * CUBED:
                 directions = min(directions, number + 1)
                 if force.world is None:
                     break
