@@ -129,6 +129,7 @@ QUICK: Mapping[str, tuple[str, ...]] = {
     "simulation/test_animation.py::test_the_table_shows_no_force_where_there_is_none": (),
     "simulation/test_animation.py::test_turning_zooming_and_the_first_view_again": (),
     "simulation/test_bodies.py::test_a_body_that_meets_itself_does_so_in_every_world_to_the_same_bits": (),
+    "simulation/test_bodies.py::test_a_tool_that_pushes_one_body_leaves_another_at_rest": (),
     "simulation/test_contact.py::test_both_engines_touch_alike_and_balance_it": ("linear",),
     "simulation/test_examples.py::test_energy_balances_and_everything_is_passive": ("alone", "squeeze", "two_rates"),
     "simulation/test_examples.py::test_five_users_pull_one_liver_and_let_go": (),

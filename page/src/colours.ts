@@ -5,6 +5,14 @@ const LIGHT = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9",
 const DARK = ["#3D9FE0", "#F08438", "#2BC495", "#DE97BF", "#F2B73C", "#86CCF5", "#B3946A", "#9CA3AF"];
 export const USER_COLOURS = { light: LIGHT, dark: DARK };
 
+// Of bodies: paler than users, so that a hand or a copy is never taken for one.
+const BODIES = ["#D8BE98", "#9DB4CE", "#B3C99C", "#D0A9C3", "#E3AF90", "#98CBC4", "#DDD394", "#BBB5AE"];
+
+/** A body's colour as #rrggbb. @param number of the body, from 0 @param given what the file says, if anything */
+export function bodyColour(number: number, given: string | null): string {
+  return given ?? BODIES[number % BODIES.length]!;
+}
+
 // Perceptually uniform (viridis without its darkest end, so that form stays visible), as sRGB from none to most.
 const RAMP = ["#414487", "#355F8D", "#2A788E", "#21908D", "#22A884", "#43BF71", "#7AD151", "#BBDF27", "#FDE725"];
 export const RAMP_STOPS = RAMP;

@@ -15,7 +15,16 @@ export type Obstacle =
   /** `turn`: along the axis of turning, as long as the angle [rad]. */
   | { kind: "box"; size: Vec; centre: Vec; turn: Vec }
   /** A box with a round hole along its third side: its radius, where its axis is along the others, and what its rims lack. */
-  | { kind: "plate"; size: Vec; hole: [number, number, number, number]; centre: Vec; turn: Vec };
+  | { kind: "plate"; size: Vec; hole: [number, number, number, number]; centre: Vec; turn: Vec }
+  /** What a closed surface encloses: places and corners, three numbers each. */
+  | { kind: "solid"; vertices: number[]; triangles: number[] };
+
+/** One of several bodies: how many of the skin's vertices are its own, and its colour as #rrggbb. */
+export interface Part {
+  name: string;
+  vertices: number;
+  colour: string | null;
+}
 
 /** What a server run shows; does not change while it runs. Lengths in m. */
 export interface Scene {
@@ -40,6 +49,8 @@ export interface Scene {
   /** Pairs of nodes, for bodies without a skin. */
   edges: Uint32Array | null;
   obstacles: Obstacle[];
+  /** Several bodies, in the order of their vertices; empty: there is one. */
+  parts: Part[];
   radius: number;
   centre: Vec;
   /** Usual stiffness of a hand [N/m]. */
@@ -271,6 +282,7 @@ export function readScene(message: any): Scene {
     nodes: { count: message.nodes.count, rest },
     skin,
     cutting: cutting ?? null,
+    parts: message.parts ?? [],
     edges: message.edges ? new Uint32Array(bytes(message.edges)) : null,
     started: String(message.started),
     points: skin ? skin.rest : rest,

@@ -12,14 +12,15 @@ export type Tool = "grab" | "ball" | "blade";
 export interface Settings {
   /** All copies in one place, or next to each other. */
   layout: "overlay" | "side";
-  colour: "displacement" | "stress" | "plain";
+  /** "auto": bodies by their own colours where there are several, else by displacement. */
+  colour: "auto" | "displacement" | "stress" | "plain";
   theme: Theme;
   tool: Tool;
   /** Whether the others' copies are shown over one's own. */
   ghosts: boolean;
 }
 
-const DEFAULTS: Settings = { layout: "overlay", colour: "displacement", theme: "auto", tool: "grab", ghosts: true };
+const DEFAULTS: Settings = { layout: "overlay", colour: "auto", theme: "auto", tool: "grab", ghosts: true };
 const KEY = "cotouch.settings";
 const STALE = 3; // s after which the session's process is taken to hang
 
@@ -52,6 +53,12 @@ export class Store {
   constructor(wished: number | null = null) {
     this.wished = wished;
     if (wished !== null) this.slot = wished;
+  }
+
+  /** What colours show. */
+  get colour(): "displacement" | "stress" | "plain" {
+    const { colour } = this.settings;
+    return colour !== "auto" ? colour : this.scene?.parts.length ? "plain" : "displacement";
   }
 
   /** Whether the server answers, and the session's process behind it does not. */

@@ -1,5 +1,7 @@
 """Faces that open, and what the world and other bodies meet after a cut."""
 
+from dataclasses import replace
+
 import numpy as np
 import numpy.typing as npt
 import pytest
@@ -14,6 +16,7 @@ from cotouch.mechanics import (
     Cutting,
     Obstacle,
     Plane,
+    Solid,
     begin_cut,
     cutting_of,
     decide_cuts,
@@ -25,6 +28,9 @@ from cotouch.recording._outside import Outside
 Float = npt.NDArray[np.float64]
 H = 0.01
 TABLE = Obstacle(shape=Plane(point=(0.0, 0.0, 0.0), normal=(0.0, 0.0, 1.0)), stiffness=1e6, loss=5.0, friction=0.4)
+CORNERS = np.array([[x, y, z] for x in (-0.02, 0.04) for y in (-0.02, 0.04) for z in (-0.03, 0.0)])
+SIDES = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+SLAB = replace(TABLE, shape=Solid(CORNERS, np.array([t for a, b, c, d in SIDES for t in ((a, b, c), (a, c, d))])))
 
 
 def cutting(copy: Alone) -> Cutting:
@@ -180,12 +186,13 @@ class TestWorld:
         assert inner + found.cut == pytest.approx(gone, rel=1e-9, abs=1e-13)
         assert found.cut.max() > 0.0
 
-    def test_another_body_sinks_into_the_hole(self) -> None:
+    @pytest.mark.parametrize("table", [TABLE, SLAB], ids=["plane", "mesh"])
+    def test_another_body_sinks_into_the_hole(self, table: Obstacle) -> None:
         """Two blocks lie on each other; where the lower one's upper layer goes, the upper one comes down by as much."""
         block = made("cells", viscosity=2e-3, shape=(3, 3, 3))
         pair = together([Placed(body=block, name="low"), Placed(body=block, name="high", at=(H, H, 3.0 * H))])
         body = pair.with_cutting().with_gravity((0.0, 0.0, -9.81))
-        copy = Alone(body, obstacles=[TABLE], between=Between(stiffness=1e6, loss=5.0, friction=0.4))
+        copy = Alone(body, obstacles=[table], between=Between(stiffness=1e6, loss=5.0, friction=0.4))
         run(copy, 60)
         what, n = cutting(copy), block.nodes
         before = copy.position[n:, 2].mean()

@@ -1,5 +1,7 @@
 """Bodies that meet: what collides, rests, slides and turns, against closed forms and conservation laws."""
 
+from collections.abc import Callable
+
 import numpy as np
 import numpy.typing as npt
 import pytest
@@ -11,11 +13,15 @@ from cotouch.mechanics import (
     BETA,
     BODY_LOSS,
     CLOSURE_ALARM,
+    WORLD_FORCE,
     WORLD_LOSS,
     WORLD_STORED,
     Between,
+    Box,
     Obstacle,
     Plane,
+    Solid,
+    closed_settle,
     deepest_between,
     model,
 )
@@ -147,6 +153,40 @@ def test_one_that_flies_does_not_move_one_that_rests() -> None:
     assert pair.momentum(0) == pytest.approx(own, abs=1e-13)
 
 
+@pytest.mark.parametrize("made", [die, cube])
+@pytest.mark.parametrize("seed", range(3))
+def test_nothing_acts_at_a_distance(made: Callable[[], Body], seed: int) -> None:
+    """Of four bodies two collide, one rests, and one flies and turns: alone, these two do just the same."""
+    rng = np.random.default_rng(seed)
+    far = rng.uniform(-1.0, 1.0, 3) + np.array([0.0, 0.0, 5.0])
+    spin, speed = rng.uniform(-5.0, 5.0, 3), rng.uniform(-1.0, 1.0, 3)
+    pull = float(rng.choice([0.0, G]))
+    near = [
+        (made(), (0.0,) * 3, tuple(rng.uniform(-1.0, 1.0, 3))),
+        (made(), (0.15, *rng.uniform(-0.02, 0.02, 2)), (0.0,) * 3),
+    ]
+    apart = [(made(), (0.0, 0.0, 2.0), (0.0,) * 3), (made(), tuple(far), (0.0,) * 3)]
+    runs: list[Several] = []
+    for bodies, speeds in ((near + apart, ((2.0, 0.0, 0.0),)), (apart, ())):
+        run = Several(*bodies, between=Between(friction=0.3), pull=pull, speeds=speeds)
+        own, moving = run.span(len(bodies) - 1), run.velocity
+        moving[own] = speed + np.cross(spin, run.body.rest[own] - far)
+        run.state.velocity[:] = run.rows(moving)
+        closed_settle(run.model.operator, run.force, run.state, run.work, run.ledger, run.model.lanes)
+        run.scale = run.energy
+        runs.append(run)
+        begun, still = run.momentum(len(bodies) - 1), run.momentum(len(bodies) - 2)
+        run.run(50)
+        fallen = np.array([0.0, 0.0, -pull * 0.05]) * run.mass[own].sum()
+        assert run.momentum(len(bodies) - 1) == pytest.approx(begun + fallen, abs=1e-13)
+        assert run.momentum(len(bodies) - 2) == pytest.approx(still + fallen, abs=1e-13)
+    many, few = runs
+    assert many.momentum(1)[0] > 0.1
+    for other in (0, 1):
+        # But for what the solver leaves: looks and iterations end for all bodies at once.
+        assert many.position[many.span(2 + other)] == pytest.approx(few.position[few.span(other)], abs=1e-8)
+
+
 def test_bounce_of_two_as_the_closed_form_says() -> None:
     """Rigid, face to face: the reduced mass on a spring of κ A."""
     T, speed = 1e-4, 0.05
@@ -227,6 +267,56 @@ def test_the_order_of_bodies_makes_no_difference() -> None:
         pair.run(60)
     for a, b in ((0, 1), (1, 0)):
         assert there.position[there.span(a)] == pytest.approx(back.position[back.span(b)], abs=1e-9)
+
+
+def slab(size: tuple[float, float, float], at: tuple[float, float, float], **law: float) -> Obstacle:
+    """A box that stands still, as a mesh."""
+    skin = die(1, size=size).skin
+    assert skin is not None
+    return Obstacle(shape=Solid(skin.vertices + np.array(at), skin.triangles), **law)
+
+
+def test_a_block_rests_on_a_mesh_that_stands_still_for_a_minute() -> None:
+    floor = slab((1.0, 1.0, 0.2), (0.0, 0.0, -0.1), stiffness=1e7, loss=20.0, friction=0.5)
+    block = Several((die(), (0.0, 0.0, 0.5 * SIDE - G / (1e7 * SIDE**2)), (0.0,) * 3), obstacles=(floor,), pull=G)
+    block.run(300)
+    settled = block.place(0)
+    assert block.ledger[WORLD_FORCE : WORLD_FORCE + 3] == pytest.approx([0.0, 0.0, G], abs=1e-6)
+    block.run(12_000, 5e-3)
+    assert block.place(0) == pytest.approx(settled, abs=1e-6)
+    lean(block, np.arctan(0.5 * 1.001))
+    for _ in range(200):
+        block.step(1e-3)
+    before = block.momentum()[0]
+    for _ in range(200):
+        block.step(1e-3)
+    gained = (block.momentum()[0] - before) / 0.2
+    angle = np.arctan(0.5 * 1.001)
+    assert (G * np.sin(angle) - gained) / (G * np.cos(angle)) == pytest.approx(0.5, rel=1e-3)
+
+
+@pytest.mark.parametrize("size", [(SIDE, SIDE, SIDE), (0.01, 0.2, 0.2)], ids=["cube", "plate"])
+@pytest.mark.parametrize("turn", [(0.0,) * 3, (0.3, 0.5, 0.7)])
+def test_nothing_passes_a_mesh_that_stands_still(size: tuple[float, float, float], turn: tuple[float, ...]) -> None:
+    wall = slab(size, (0.2, 0.0, 0.0), stiffness=1e7)
+    flying = Several((die(2, mass=0.2), (0.0,) * 3, turn), obstacles=(wall,), speeds=((10.0, 0.0, 0.0),))
+    for _ in range(60):
+        flying.run(1)
+        assert flying.place(0)[0] < 0.2
+    assert flying.momentum()[0] < 0.0
+
+
+def test_a_mesh_of_triangles_is_met_as_the_box_that_it_is() -> None:
+    """Beside each other: where faces meet faces, both hold the same force at the same depth."""
+    law = {"stiffness": 1e7, "loss": 5.0, "friction": 0.3}
+    box = Obstacle(shape=Box((1.0, 1.0, 0.2), (0.0, 0.0, -0.1)), **law)
+    runs = [
+        Several((die(2), (0.0, 0.0, 0.5 * SIDE), (0.0,) * 3), obstacles=(one,), pull=G, speeds=((0.1, 0.0, -0.1),))
+        for one in (box, slab((1.0, 1.0, 0.2), (0.0, 0.0, -0.1), **law))
+    ]
+    for run in runs:
+        run.run(40)
+    assert runs[1].position == pytest.approx(runs[0].position, abs=1e-5)
 
 
 @pytest.mark.parametrize("size", [(SIDE, SIDE, SIDE), (0.01, 0.2, 0.2)], ids=["cube", "plate"])

@@ -72,6 +72,38 @@ def test_it_travels_with_its_mesh(tmp_path: Path) -> None:
     assert again.scenario.build_body().nodes > 4
 
 
+AROUND = """[[bodies]]
+name = "one"
+file = "shapes/t.off"
+unit = "m"
+model = "rigid"
+at = [0.0, 0.0, 0.4]
+[[world.meshes]]
+file = "{file}"
+unit = "m"
+scale = 2.0
+"""
+
+
+def test_it_travels_with_meshes_of_several_bodies_and_of_what_stands_still(tmp_path: Path) -> None:
+    here, there = tmp_path / "here", tmp_path / "there"
+    (here / "shapes").mkdir(parents=True)
+    there.mkdir()
+    for name in ("shapes/t.off", "floor.off", "t.off"):
+        (here / name).write_text(TETRAHEDRON)
+    (here / "s.toml").write_text(SLOTS + AROUND.format(file="floor.off"))
+    session = SessionFile.read(here / "s.toml")
+    assert set(SessionFile.needed(session.content)) == {"t.off", "floor.off"}
+    for name in ("shapes/t.off", "floor.off"):
+        (here / name).unlink()
+    again = SessionFile.from_content(session.content, session.files, folder=there)
+    assert again.scenario.build_body().nodes == 4
+    assert len(again.scenario.world.obstacles()) == 1
+    (here / "shapes" / "t.off").write_text(TETRAHEDRON)
+    with pytest.raises(SessionError, match="they travel without their folders, so give them different names"):
+        SessionFile.from_toml(SLOTS + AROUND.format(file="t.off"), folder=here)
+
+
 def test_the_digest_tells_another_mesh(tmp_path: Path) -> None:
     (tmp_path / "t.off").write_text(TETRAHEDRON)
     text = SLOTS + '[body]\nfile = "t.off"\nunit = "m"\n'

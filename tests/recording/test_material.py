@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from cotouch.body import Placed, lattice, together
-from cotouch.mechanics import Between, model
+from cotouch.body import Placed, lattice, rigid_box, together
+from cotouch.mechanics import Between, Obstacle, Plane, Solid, model
 from cotouch.recording._material import RecordedMaterial
 
 
@@ -19,3 +19,22 @@ def test_what_a_body_does_to_itself_is_kept(own: bool) -> None:
     assert again.between == between
     assert again.same(kept)
     assert np.array_equal(again.body.rest, body.rest)
+
+
+def test_meshes_that_stood_still_are_kept() -> None:
+    die = rigid_box([0.1, 0.1, 0.1], resolution=1)
+    assert die.skin is not None
+    floor = Obstacle(shape=Solid(2.0 * die.skin.vertices - [0.0, 0.0, 0.2], die.skin.triangles), friction=0.5, loss=3.0)
+    plane = Obstacle(shape=Plane((0.0, 0.0, -1.0)))
+    body = together([Placed(body=die, name="one")]).with_gravity((0.0, 0.0, -9.81))
+    kept = RecordedMaterial.of(model(body, obstacles=[plane, floor]))
+    again = RecordedMaterial.of_arrays(kept.arrays(), body.rest)
+    assert again is not None
+    assert again.same(kept)
+    first, second = again.obstacles()
+    assert first.shape == plane.shape
+    assert isinstance(second.shape, Solid)
+    assert isinstance(floor.shape, Solid)
+    assert np.array_equal(second.shape.vertices, floor.shape.vertices)
+    assert (second.friction, second.loss) == (0.5, 3.0)
+    assert again.firmness() == pytest.approx(2e7 * 0.06)

@@ -101,6 +101,23 @@ def test_peers_come_to_the_same_bits(law: str) -> None:
     assert max(abs(report.residual) for reports in peers.reports for report in reports) <= 1e-15
 
 
+def test_a_tool_that_pushes_one_body_leaves_another_at_rest() -> None:
+    """What the tool does is booked at the body that it does it to, or the balance of both would move the other."""
+    tool = {
+        "user": 1,
+        "at": [-0.035, 0.0, 0.0],
+        "radius": 0.01,
+        "mass": 0.02,
+        "stiffness": 2000,
+        "hand": {"stiffness": 200, "damping": 2, "path": [[0, 0, 0, 0], [0.05, 0.03, 0, 0]]},
+    }
+    apart = [{**DIE, "name": "near", "at": [0, 0, 0]}, {**DIE, "name": "far", "at": [0, 0, 1]}]
+    network = {"users": ["Ann"], "spring": [[0]], "delay": [[0]]}
+    run = run_batch(prepare(stack(bodies=apart, hands=[], tools=[tool], world={}, network=network)))
+    assert np.abs(run.position[0][:4]).max() > 1e-3
+    assert np.abs(run.position[0][4:]).max() <= 1e-15
+
+
 def test_three_copies_over_delays_stay_passive() -> None:
     spring = 30.0 * (np.ones((3, 3)) - np.eye(3))
     delay = 0.03 * (np.ones((3, 3)) - np.eye(3))
@@ -143,6 +160,19 @@ def test_a_file_says_all_of_it() -> None:
             'bodies: "a" and "b" begin 0.015 m deep in each other in the copy of user 1, more than 0.02 of',
         ),
         ({"bodies": [{**DIE, "name": "a"}, {**DIE, "name": "a"}]}, 'two bodies are named "a"'),
+        (
+            {"bodies": [{**DIE, "name": "a", "color": "red"}]},
+            'bodies[1].color is "red"; it must be red, green and blue as',
+        ),
+        (
+            {"bodies": [{**DIE, "name": "a"}], "world": {"boxes": [{"size": [0.02, 0.02, 0.02]}]}},
+            'world.boxes[1] and "a" are in one place in the copy of user 1',
+        ),
+        (
+            {"world": {"meshes": [{"file": "a.msh", "unit": "m"}]}},
+            'world.meshes[1]: a.msh ends in ".msh"; a surface mesh',
+        ),
+        ({"world": {"meshes": [{"file": "none.stl", "unit": "m"}]}}, "the mesh none.stl cannot be read: No such file"),
         ({"bodies": [DIE]}, "bodies[1].name is missing"),
         (
             {"bodies": [{**DIE, "name": "a", "step": [1, 0, 0], "copies": 10**9}]},

@@ -42,7 +42,12 @@ class App {
     this.speed = 1;
     this.user = 0;
     this.view = /** @type {View} */ (run.users > 1 ? "ghosts" : "alone");
-    this.field = /** @type {"displacement" | "difference"} */ ("displacement");
+    /** What colours may show. @type {("bodies" | "displacement" | "difference")[]} */
+    this.fields = [];
+    if (run.header.parts.length) this.fields.push("bodies");
+    this.fields.push("displacement");
+    if (run.header.peaks.difference > 0) this.fields.push("difference");
+    this.field = this.fields[0];
     this.shown = 0; // which series
     this.moved = true; // the moment or the colouring is another
     this.stale = true; // the picture is
@@ -100,7 +105,7 @@ class App {
     this.network(links, users);
     element("bar").style.background = `linear-gradient(90deg, ${RAMP_STOPS.join()})`;
     const field = /** @type {HTMLButtonElement} */ (element("field"));
-    field.disabled = !(run.header.peaks.difference > 0);
+    field.disabled = this.fields.length < 2;
     addEventListener("keydown", (event) => this.key(event));
   }
 
@@ -209,7 +214,7 @@ class App {
 
   recolour() {
     if (/** @type {HTMLButtonElement} */ (element("field")).disabled) return;
-    this.field = this.field === "displacement" ? "difference" : "displacement";
+    this.field = this.fields[(this.fields.indexOf(this.field) + 1) % this.fields.length];
     this.moved = true;
   }
 
@@ -280,7 +285,7 @@ class App {
     const { run, scene, colors } = this;
     if (!colors) return;
     const ratio = Math.min(devicePixelRatio, 2) * (this.playing ? this.quality : 1), stage = element("stage");
-    const peak = run.header.peaks[this.field], top = peak > 0 ? ceiling(peak) : 0, tiles = this.tiles();
+    const peak = this.field === "bodies" ? 0 : run.header.peaks[this.field], top = peak > 0 ? ceiling(peak) : 0, tiles = this.tiles();
     if (this.moved) scene.move(this.at, this.field, top, this.user);
     scene.draw(tiles, Math.max(1, stage.clientWidth), Math.max(1, stage.clientHeight), ratio);
     if (this.chart.stale) this.chart.sketch(run.series[this.shown], colors, this.user);
@@ -309,9 +314,11 @@ class App {
       const series = run.series[this.shown];
       if (meter && series) meter.style.setProperty("--share", `${(100 * Math.abs(series.values[frame * run.users + user])) / (this.mosts[this.shown] || 1)}%`);
     });
-    const [factor, unit] = prefixed(top, "m"), name = this.field === "displacement" ? "Displacement" : "Distance from the mean copy";
-    element("field").innerHTML = `${name} <small>/ ${unit}</small>`;
-    element("ticks").innerHTML = top > 0 ? [0, 0.5, 1].map((share) => `<span>${num((share * top) / factor)}</span>`).join("") : "<span>0</span>";
+    const [factor, unit] = prefixed(top, "m"), name = { bodies: "Bodies", displacement: "Displacement", difference: "Distance from the mean copy" }[this.field];
+    const bare = this.field === "bodies";
+    element("field").innerHTML = bare ? name : `${name} <small>/ ${unit}</small>`;
+    element("bar").style.visibility = bare ? "hidden" : "visible";
+    element("ticks").innerHTML = bare ? "" : top > 0 ? [0, 0.5, 1].map((share) => `<span>${num((share * top) / factor)}</span>`).join("") : "<span>0</span>";
   }
 
   /** A value of a series as text. @param {number} k @param {number} frame @param {number} user */

@@ -3,7 +3,7 @@ import { Box3, CylinderGeometry, Mesh, Quaternion, type ShaderMaterial, Scene as
 import type { Obstacle, Scene } from "../protocol";
 import { Common, CopyShown } from "../space/copy";
 import { Ground } from "../space/ground";
-import { Obstacles, floorOf } from "../space/obstacles";
+import { Obstacles, cornersOf, floorOf } from "../space/obstacles";
 import { Orbit } from "../space/orbit";
 import { type Cell, project } from "../space/pick";
 import { HandProp, material, paint } from "../space/props";
@@ -109,10 +109,10 @@ export class Shown {
    * @param full what the strongest colour stands for [m]
    * @param solid the copy that ghosts are compared with
    */
-  move(at: number, field: "displacement" | "difference", full: number, solid: number): void {
+  move(at: number, field: "bodies" | "displacement" | "difference", full: number, solid: number): void {
     const { run, common, copies, places, shift } = this;
     common.full.value = full || 1;
-    common.by.value = field === "displacement" ? 0 : 1;
+    common.by.value = { displacement: 0, difference: 1, bodies: 2 }[field];
     places.forEach((into, user) => run.copy(user, at, into));
     const mean = field === "difference" ? meanOf(places) : null;
     const scale = common.scale.value || 1;
@@ -187,7 +187,7 @@ function sceneOf(run: Run, centre: Vector3, radius: number, flat: boolean): Scen
   return {
     title: header.title, version: "", dimension: flat ? 2 : 3, users: header.users.map((name, slot) => ({ name, slot })), own: [], may: [],
     acts: false, invitation: null, page: null, started: "", stiffness: 0, radius, centre: [centre.x, centre.y, centre.z],
-    nodes: { count: run.vertices, rest }, points: rest, edges, obstacles: header.obstacles, cutting: null,
+    nodes: { count: run.vertices, rest }, points: rest, edges, obstacles: header.obstacles, parts: header.parts, cutting: null,
     skin: triangles.length ? { vertices: run.vertices, rest, triangles, node } : null,
   };
 }
@@ -213,7 +213,12 @@ function cloudOf(run: Run, centre: Vector3, radius: number, metresPerNewton: num
       box(least, most);
     });
   for (const one of obstacles as Obstacle[]) {
-    if (one.kind === "plane" || centre.distanceTo(new Vector3(...one.centre)) > 6 * radius) continue;
+    if (one.kind === "plane") continue;
+    if (one.kind === "solid") {
+      corners.push(...cornersOf(one, centre, 6 * radius));
+      continue;
+    }
+    if (centre.distanceTo(new Vector3(...one.centre)) > 6 * radius) continue;
     const half = Math.hypot(...one.size) / 2;
     box(one.centre.map((x) => x - half), one.centre.map((x) => x + half));
   }

@@ -65,7 +65,7 @@ export function keyboard(context: Context, deeds: Deeds): { open: () => void } {
   const act: Record<string, () => void> = {
     b: () => store.set({ tool: TOOLS[(TOOLS.indexOf(store.tool) + 1) % (store.scene?.cutting ? 3 : 2)] ?? "grab" }),
     s: () => store.set({ layout: store.settings.layout === "overlay" ? "side" : "overlay" }),
-    c: () => store.set({ colour: COLOURS[(COLOURS.indexOf(store.settings.colour) + 1) % COLOURS.length] ?? "plain" }),
+    c: () => store.set({ colour: COLOURS[(COLOURS.indexOf(store.colour) + 1) % COLOURS.length] ?? "plain" }),
     "0": deeds.reset,
     f: deeds.freeze,
     r: deeds.record,

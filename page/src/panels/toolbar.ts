@@ -13,10 +13,11 @@ export function toolbar(context: Context, reset: () => void): HTMLElement {
     { value: "overlay", words: "Overlaid", icon: "overlay", tip: "All copies in one place (S)" },
     { value: "side", words: "Side by side", icon: "side", tip: "Each copy by itself: see how late the others are (S)" },
   ] as const, (value) => store.set({ layout: value }));
+  const own = h("option", { value: "plain" }, "Plain");
   const colour = h("select", { "aria-label": "Colour of the object", "data-tip": "What colours show (C)" },
     h("option", { value: "displacement" }, "Displacement"),
     h("option", { value: "stress" }, "Stretch"),
-    h("option", { value: "plain" }, "Plain"),
+    own,
   );
   colour.addEventListener("change", () => store.set({ colour: colour.value as "displacement" | "stress" | "plain" }));
   const ghosts = button("Ghosts", () => store.set({ ghosts: !store.settings.ghosts }), { icon: "ghosts", class: "button small toggle", tip: "Show what others’ copies look like over yours" });
@@ -34,7 +35,8 @@ export function toolbar(context: Context, reset: () => void): HTMLElement {
     const blade = tool.element.querySelector<HTMLElement>('[data-value="blade"]');
     if (blade) blade.hidden = !scene?.cutting;
     layout.mark(settings.layout);
-    colour.value = settings.colour;
+    own.textContent = scene?.parts.length ? "Bodies" : "Plain";
+    colour.value = store.colour;
     attribute(ghosts, "aria-pressed", String(settings.ghosts));
     attribute(element, "data-dimension", scene ? String(scene.dimension) : null);
     ghosts.disabled = scene?.dimension !== 1 && settings.layout === "side";

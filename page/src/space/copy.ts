@@ -34,6 +34,8 @@ export class CopyShown {
   private readonly made: ShaderMaterial[] = [];
   private readonly plain = { value: new Vector3() };
   private readonly colour = { value: new Vector3() };
+  /** How bright the colours of bodies are; 0: they have none. */
+  private readonly tinted = { value: 0 };
   private readonly flash = { value: 0 };
   private readonly strength = { value: 1 };
 
@@ -51,7 +53,7 @@ export class CopyShown {
       return made;
     };
     if (shape.triangles) {
-      this.body.add(new Mesh(geometry, make(solid, {}, false)));
+      this.body.add(new Mesh(geometry, make(solid, { tinted: this.tinted }, false)));
       this.shell.add(new Mesh(film!, make(ghost, { colour: this.colour, strength: this.strength }, true)));
     } else {
       const plainOnly = { plain: this.colour, by: { value: 2 } };
@@ -74,6 +76,7 @@ export class CopyShown {
     this.colour.value.set(r, g, b);
     // Porcelain with a breath of the user's colour.
     this.plain.value.set(0.9, 0.895, 0.875).lerp(this.colour.value, 0.22).multiplyScalar(dark ? 0.9 : 1);
+    this.tinted.value = this.moving.shape.tint ? (dark ? 0.9 : 1) : 0;
     this.strength.value = dark ? 1 : 0.95;
   }
 

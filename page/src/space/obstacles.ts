@@ -1,5 +1,5 @@
 // What stands still around the object: boxes, plates with a hole, and planes that are no level floor.
-import { BoxGeometry, type BufferGeometry, EdgesGeometry, ExtrudeGeometry, Group, LineBasicMaterial, LineSegments, Mesh, Path, PlaneGeometry, Quaternion, Shape, Vector3 } from "three";
+import { Box3, BoxGeometry, BufferAttribute, BufferGeometry, EdgesGeometry, ExtrudeGeometry, Group, LineBasicMaterial, LineSegments, Mesh, Path, PlaneGeometry, Quaternion, Shape, Vector3 } from "three";
 import type { Obstacle } from "../protocol";
 import { material, paint } from "./props";
 
@@ -22,7 +22,9 @@ export function floorOf(obstacles: Obstacle[]): number | null {
 /** What is to be seen at first: some of the object's points, and the corners of boxes that are not far away [m]. */
 export function seenFirst(points: Float32Array, obstacles: Obstacle[], centre: Vector3, radius: number): Float32Array {
   const corners = obstacles.flatMap((one) => {
-    if (one.kind === "plane" || centre.distanceTo(new Vector3(...one.centre)) > FAR * radius) return [];
+    if (one.kind === "plane") return [];
+    if (one.kind === "solid") return cornersOf(one, centre, FAR * radius);
+    if (centre.distanceTo(new Vector3(...one.centre)) > FAR * radius) return [];
     const turn = turnOf(one);
     return Array.from({ length: 8 }, (_, k) => {
       const half = new Vector3(...one.size.map((side, axis) => ((k >> axis) & 1 ? 0.5 : -0.5) * side));
@@ -31,6 +33,25 @@ export function seenFirst(points: Float32Array, obstacles: Obstacle[], centre: V
   });
   const each = 3 * Math.max(1, Math.ceil(points.length / 3 / SOME));
   return corners.length ? Float32Array.from([...corners, ...points.filter((_, i) => i % each < 3)]) : points;
+}
+
+/** Corners of the box around a solid, if its middle is not far away. */
+export function cornersOf({ vertices }: Extract<Obstacle, { kind: "solid" }>, centre: Vector3, far: number): number[] {
+  const box = new Box3().setFromArray(vertices);
+  if (box.getCenter(new Vector3()).distanceTo(centre) > far) return [];
+  const ends = [box.min.toArray(), box.max.toArray()];
+  return Array.from({ length: 8 }, (_, k) => [0, 1, 2].map((axis) => ends[(k >> axis) & 1]![axis]!)).flat();
+}
+
+/** Triangles, each by itself, so that edges stay sharp. */
+function faceted({ vertices, triangles }: Extract<Obstacle, { kind: "solid" }>): BufferGeometry {
+  const made = new BufferGeometry();
+  made.setAttribute("position", new BufferAttribute(Float32Array.from(vertices), 3));
+  made.setIndex(triangles);
+  const faces = made.toNonIndexed();
+  faces.computeVertexNormals();
+  made.dispose();
+  return faces;
 }
 
 function turnOf({ turn }: Extract<Obstacle, { kind: "box" | "plate" }>): Quaternion {
@@ -66,6 +87,11 @@ export class Obstacles {
         shown.quaternion.setFromUnitVectors(UP, normal);
         shown.renderOrder = -1;
         this.group.add(shown);
+        continue;
+      }
+      if (one.kind === "solid") {
+        const faces = this.keep(faceted(one));
+        this.group.add(new Mesh(faces, this.solid), new LineSegments(this.keep(new EdgesGeometry(faces, SHARP)), this.line));
         continue;
       }
       const box = this.keep(one.kind === "plate" ? bored(one.size, one.hole) : new BoxGeometry(...one.size));

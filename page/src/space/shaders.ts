@@ -45,15 +45,15 @@ vec3 ramp(float value) {
 export const solid = {
   vertex: /* glsl */ `
     ${light}${ramp}
-    attribute vec3 shift;
+    attribute vec3 shift, tint;
     attribute float value;
-    uniform float scale, full, flash;
+    uniform float scale, full, flash, tinted;
     uniform vec3 plain;
     uniform int by;
     #ifdef LEAN
     varying vec3 shown;
     #else
-    varying vec3 n, p;
+    varying vec3 n, p, own;
     varying float v;
     #endif
     void main() {
@@ -63,10 +63,11 @@ export const solid = {
       #ifdef LEAN
       vec3 eye = normalize(-q.xyz), m = normalize(mat3(modelViewMatrix) * normal + 1e-20);
       if (dot(m, eye) < -0.2) m = -m;
-      shown = mix(lit(by == 2 ? plain : ramp(far), m, eye, 0.20), vec3(1.0), flash * 0.5);
+      shown = mix(lit(by == 2 ? (tinted > 0.0 ? tinted * tint : plain) : ramp(far), m, eye, 0.20), vec3(1.0), flash * 0.5);
       #else
       n = mat3(modelViewMatrix) * normal;
       p = q.xyz;
+      own = tinted > 0.0 ? tinted * tint : plain;
       v = far;
       #endif
     }`,
@@ -76,15 +77,14 @@ export const solid = {
     void main() { gl_FragColor = vec4(shown, 1.0); }
     #else
     ${light}${ramp}
-    uniform vec3 plain;
     uniform int by;
     uniform float flash;
-    varying vec3 n, p;
+    varying vec3 n, p, own;
     varying float v;
     void main() {
       vec3 eye = normalize(-p), m = normalize(n);
       if (!gl_FrontFacing) m = -m;
-      vec3 colour = by == 2 ? plain : ramp(v);
+      vec3 colour = by == 2 ? own : ramp(v);
       gl_FragColor = vec4(mix(lit(colour, m, eye, 0.20), vec3(1.0), flash * 0.5), 1.0);
     }
     #endif`,

@@ -1,5 +1,6 @@
 // What all copies share, and the moving part of each: filled in place from the messages, frame after frame.
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, StaticDrawUsage } from "three";
+import { bodyColour, channels } from "../colours";
 import { readCut, type Scene } from "../protocol";
 
 /** Faces that meet at more than this are an edge, not a curve. */
@@ -22,6 +23,9 @@ export class Shape {
   readonly degree: Float32Array;
   readonly corners: number;
 
+  /** Of every corner the colour of its body, from 0 to 1; null where there is one body. */
+  readonly tint: Float32Array | null;
+
   /** Whether triangles of a copy may be gone. */
   loose: boolean;
 
@@ -43,6 +47,7 @@ export class Shape {
       this.corner[point] = c;
       for (let k = 0; k < 3; k++) this.rest[3 * c + k] = scene.points[3 * point + k]!;
     });
+    this.tint = scene.parts.length ? tints(scene.parts, this.point) : null;
     this.sides = scene.skin ? sidesOf(scene.skin.triangles, this.corner, points) : (scene.edges ?? new Uint32Array());
     const count = this.sides.length / 2;
     this.restLengths = new Float32Array(count);
@@ -55,6 +60,15 @@ export class Shape {
     }
     for (let c = 0; c < this.corners; c++) this.degree[c] = Math.max(this.degree[c]!, 1);
   }
+}
+
+/** The colour of every corner's body. */
+function tints(parts: Scene["parts"], point: Uint32Array): Float32Array {
+  const of = parts.flatMap(({ vertices, colour }, number) => {
+    const own = channels(bodyColour(number, colour)).map((value) => value / 255);
+    return Array.from({ length: vertices }, () => own);
+  });
+  return Float32Array.from(Array.from(point).flatMap((p) => of[p] ?? [1, 1, 1]));
 }
 
 /** One copy's places, normals and stretch. */
@@ -96,6 +110,7 @@ export class Moving {
     }
     if (shape.triangles) {
       this.geometry.setAttribute("normal", this.normal);
+      if (shape.tint) this.geometry.setAttribute("tint", new BufferAttribute(shape.tint, 3));
       const index = shape.loose ? shape.triangles.slice() : shape.triangles; // what is cut has one of its own
       this.geometry.setIndex(new BufferAttribute(index, 1).setUsage(shape.loose ? DynamicDrawUsage : StaticDrawUsage));
       this.film = new BufferGeometry();

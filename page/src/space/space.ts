@@ -260,7 +260,7 @@ class Space implements View {
   private dress(): void {
     const { settings } = this.store;
     const dark = isDark(settings.theme);
-    const mode = { displacement: 0, stress: 1, plain: 2 }[settings.colour];
+    const mode = { displacement: 0, stress: 1, plain: 2 }[this.store.colour];
     if (mode !== this.common.by.value) this.peak = 0;
     this.common.by.value = mode;
     for (const [slot, copy] of this.copies) {
@@ -340,7 +340,7 @@ class Space implements View {
   private range(seconds: number): boolean {
     const stretch = this.common.by.value === 1;
     const top = nice(Math.max(this.peak, stretch ? 0.02 : 0.04 * this.scene.radius));
-    this.furniture.legend(this.store.settings.colour, stretch ? `${Math.round(top * 100)} %` : length(top));
+    this.furniture.legend(this.store.colour, stretch ? `${Math.round(top * 100)} %` : length(top));
     const { full } = this.common;
     full.value += (top - full.value) * (calm.matches ? 1 : 1 - Math.exp(-seconds * 6));
     return Math.abs(full.value - top) > 0.01 * top;

@@ -3,6 +3,7 @@
 from cotouch.body._body import Body
 from cotouch.body._builders import MOST_NODES, GridModel, Ground, chain, lattice, point
 from cotouch.body._checks import Matrix, SumOfSquares
+from cotouch.body._closed_surface import closed_surface
 from cotouch.body._cut_faces import with_faces
 from cotouch.body._cut_skin import FACES, CutSkin, cut_skin, drawn_skin
 from cotouch.body._eigenspaces import canonical
@@ -12,7 +13,8 @@ from cotouch.body._ground import Box, Held, NodeSet, Plane
 from cotouch.body._material import Frame, Material
 from cotouch.body._mesh_material import SolidModel, SurfaceModel
 from cotouch.body._origin import Origin
-from cotouch.body._part import Part, pulls_of
+from cotouch.body._part import Part, drawn_parts, pulls_of
+from cotouch.body._reading import Unit
 from cotouch.body._rigid import rigid_body
 from cotouch.body._shapes import rigid_box, rigid_cylinder, rigid_sphere, turning
 from cotouch.body._skin import Skin
@@ -49,11 +51,14 @@ __all__ = [
     "SumOfSquares",
     "SurfaceModel",
     "Truncation",
+    "Unit",
     "body_from_surface",
     "body_from_tetrahedra",
     "canonical",
     "chain",
+    "closed_surface",
     "cut_skin",
+    "drawn_parts",
     "drawn_skin",
     "frame_of",
     "is_surface",

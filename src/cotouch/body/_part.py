@@ -1,7 +1,8 @@
 """One of several bodies that were put together: what it is by itself, and where it is among the others."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, final
+from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from cotouch.errors import BodyError
 
 if TYPE_CHECKING:
     from cotouch.body._body import Body
+    from cotouch.body._cut_skin import CutSkin
 
 
 @final
@@ -80,6 +82,26 @@ def held_shares(parts: tuple[Part, ...], held: Float, nodes: int) -> Float:
         own = owner == number
         result[own, part.first : part.last] = shares_of(part.rest(), held[own])
     return result
+
+
+def drawn_parts(
+    body: "Body", colours: Sequence[str | None] = (), faces: "CutSkin | None" = None
+) -> list[dict[str, Any]]:
+    """What a page tells several bodies apart by: `name`, `vertices` of its skin, and `colour`; of one body nothing.
+
+    Args:
+        body: of one or several.
+        colours: of the bodies, as "#rrggbb"; None or too few: the page's own.
+        faces: the skin by which it is drawn, if not by its own.
+    """
+    if len(body.parts) < 2 and not any(colours):
+        return []
+    given = [*colours, *[None] * len(body.parts)]
+    each = [part.skin().vertices.shape[0] for part in body.parts] if faces is None else np.diff(faces.vertices)
+    return [
+        {"name": part.name, "vertices": int(count), "colour": colour}
+        for part, count, colour in zip(body.parts, each, given, strict=False)
+    ]
 
 
 def cuttable_parts(parts: tuple[Part, ...], **limits: float) -> tuple[Part, ...]:

@@ -56,7 +56,8 @@ from cotouch.mechanics._model import Basis, Model, model
 from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply, rescaled
 from cotouch.mechanics._path import path_place
 from cotouch.mechanics._rest import REST_DRIFT, REST_FIELDS, place_at_rest, rest_fraction
-from cotouch.mechanics._shape import SHAPES, Box, Plane, Plate, Shape, shape_of
+from cotouch.mechanics._shape import SHAPES, Box, Plane, Plate, Shape, shape_of, shape_table
+from cotouch.mechanics._shape_solid import Solid
 from cotouch.mechanics._state import (
     BETA,
     BODY_LOSS,
@@ -163,6 +164,7 @@ __all__ = [
     "Ports",
     "Relief",
     "Shape",
+    "Solid",
     "State",
     "Stiffening",
     "Surface",
@@ -232,6 +234,7 @@ __all__ = [
     "settle",
     "sever",
     "shape_of",
+    "shape_table",
     "share",
     "show_skin",
     "slowed",

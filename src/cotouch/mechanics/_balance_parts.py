@@ -2,41 +2,37 @@
 
 One factor for all would scale velocities about a centre between the bodies: what one that flies lacks would kick one
 that rests. So what came to each is worked out row by row, what contact did on it included. Only what bodies cannot make
-up for by themselves is shared, among those that cannot.
+up for by themselves is shared, and only among those that touch each other: a group. A group that cannot close its
+balance goes less far, and no other group notices.
 """
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false
 
-import math
+import numpy as np
+import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.mechanics._balance import (
-    AT_WORLD,
-    ENERGY,
-    GRAIN,
-    HAVE,
-    LAW,
-    LEAST,
-    LEFT,
-    MOST,
-    MOTION,
-    NOISE,
-    OUTSIDE,
-    RIGID,
-    ROUGH,
-    TARGET,
-    close,
+from cotouch.mechanics._balance import HAVE, NOISE, PASSED, TARGET, close, square_of
+from cotouch.mechanics._balance_groups import (
+    ABOUT,
+    FLOW,
+    LACKS,
+    MASS,
+    MOMENTUM,
+    MOVING,
+    OPEN,
+    decide,
+    held_together,
+    scale_parts,
 )
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Parts
 from cotouch.mechanics._operator import Operator
-from cotouch.mechanics._state import BETA, CLOSURE, KINETIC, SHORTENED, Links, Ports, State, Workspace
-from cotouch.mechanics._vector import at, load, put, total
+from cotouch.mechanics._state import Links, Ports, State, Workspace
+from cotouch.mechanics._vector import at, load, put, splat, store, total
 
-# Numbers of each body: mass, momentum, kinetic energy, what it lacks, what of its energy is about its centre, the
-# factor on that, and whether it shares with others.
-_MASS, _MOMENTUM, _HAVE, _LACKS, _ABOUT, _BETA, _SHARES = 0, 1, 4, 5, 6, 7, 8
+Int = npt.NDArray[np.int32]
 
 
 @part
@@ -50,6 +46,7 @@ def close_all(
     extra_damping: Float,
     T: float,
     push: Float,
+    spare: float,
     attempt: int,
     work: Workspace,
     ledger: Float,
@@ -67,6 +64,7 @@ def close_all(
         extra_damping: B_e, (weights,).
         T: length of the step [s].
         push: forces of tools on the rows, (rows, width) or (0, width) [N].
+        spare: what tools gave, of the whole body [J].
         attempt: see `close`.
         work: likewise.
         ledger: likewise.
@@ -77,20 +75,124 @@ def close_all(
     """
     if force.parts is None:
         return close(op, state, attempt, work, ledger, lanes)
-    _share_out(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, push, work, lanes)
-    good = _close_parts(op, force.parts, state, work, ledger)
-    if not good:
-        good = close(op, state, attempt, work, ledger, lanes)
+    _share_out(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, push, spare, work, lanes)
+    good, worst = decide(force.parts, work.weighed, attempt, False)
     if good:
+        scale_parts(op, force.parts, state, worst, work, ledger)
         keep_parts(force.parts, state.memory)
     return good
+
+
+@part
+def judge(
+    op: Operator,
+    force: BodyForce,
+    state: State,
+    links: Links,
+    ports: Ports,
+    local_damping: Float,
+    extra_damping: Float,
+    T: float,
+    push: Float,
+    spare: float,
+    attempt: int,
+    work: Workspace,
+    lanes: tuple[int, ...],
+) -> tuple[float, float, bool, bool]:
+    """What a step that was just weighed lacks where tools touch; of several bodies only that of those is asked.
+
+    Args:
+        op: see `close_all`, like all others.
+        force: likewise.
+        state: likewise.
+        links: likewise.
+        ports: likewise.
+        local_damping: likewise.
+        extra_damping: likewise.
+        T: likewise.
+        push: likewise.
+        spare: likewise.
+        attempt: how often others went less far.
+        work: likewise.
+        lanes: likewise.
+
+    Returns:
+        What is lacking, of the whole body [J]; β² that would close it; whether what tools touch passed an obstacle;
+        and whether other bodies must go less far (`shorten`).
+    """
+    weighed = work.weighed
+    if force.parts is None:
+        square, _ = square_of(weighed, False)
+        return weighed[TARGET] - weighed[HAVE], square, weighed[PASSED] != 0.0, False
+    _hold_groups(force.parts)
+    _share_out(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, push, spare, work, lanes)
+    good, _ = decide(force.parts, weighed, attempt, True)
+    held, lacks, square, passed = held_together(force.parts)
+    return lacks if held else spare, square, passed, not good
+
+
+@part
+def free_parts(parts: Parts | None) -> None:
+    """No tool touches any body."""
+    if parts is not None:
+        for b in range(parts.held.shape[0]):
+            put(parts.held, b, 0)
+
+
+@part
+def hold_parts(parts: Parts | None, mark: Int) -> None:
+    """Notes which bodies tools touch, and those that touch these, from which rows are touched."""
+    if parts is not None:
+        free_parts(parts)
+        for i in range(mark.shape[0]):
+            if at(mark, i) > 0:
+                put(parts.held, at(parts.part, i), 1)
+        _hold_groups(parts)
+
+
+@part
+def _hold_groups(parts: Parts | None) -> None:
+    """What touches a body that is held is held as well."""
+    if parts is None:
+        return
+    for one in range(parts.held.shape[0]):
+        if at(parts.held, one) != 0:
+            for two in range(parts.held.shape[0]):
+                if at(parts.met.group, one) == at(parts.met.group, two):
+                    put(parts.held, two, 1)
+
+
+@inner
+def _scale(mean: Float, i: int, factor: float, lanes: tuple[int, ...]) -> None:
+    """Scales a row; what overflowed would be no number times 0."""
+    store(mean, i, factor * load(mean, i, lanes) if factor > 0.0 else splat(0.0, lanes), lanes)
+
+
+@part
+def stretch(parts: Parts | None, mean: Float, factor: float, lanes: tuple[int, ...]) -> None:
+    """Scales how far a body goes; of several those that tools touch."""
+    for i in range(mean.shape[0]):
+        goes = factor
+        if parts is not None:
+            goes = factor if at(parts.held, at(parts.part, i)) != 0 else 1.0
+        _scale(mean, i, goes, lanes)
+
+
+@part
+def shorten(parts: Parts | None, mean: Float, factor: float, everything: bool, lanes: tuple[int, ...]) -> None:
+    """Scales how far a body goes; of several those whose groups are not closed, or everything."""
+    for i in range(mean.shape[0]):
+        goes = factor
+        if parts is not None:
+            goes = factor if everything or at(parts.sums, (at(parts.part, i), OPEN)) != 0.0 else 1.0
+        _scale(mean, i, goes, lanes)
 
 
 @part
 def keep_parts(parts: Parts | None, memory: Float) -> None:
     """Keeps each body's energy as it was evaluated last."""
     if parts is not None:
-        for b in range(parts.worked.shape[0]):
+        for b in range(parts.held.shape[0]):
             put(memory, at(parts.memory, b), at(parts.energy, (b, 0)))
 
 
@@ -111,6 +213,7 @@ def _share_out(
     extra_damping: Float,
     T: float,
     push: Float,
+    spare: float,
     work: Workspace,
     lanes: tuple[int, ...],
 ) -> None:
@@ -119,11 +222,13 @@ def _share_out(
         return
     rows, share = op.mass.shape[0], 1.0 / op.copy_scale
     gravity = op.firmness * load(force.gravity, 0, lanes)
-    for b in range(parts.worked.shape[0]):
-        for what in range(_SHARES + 1):
+    held = False
+    for b in range(parts.held.shape[0]):
+        held = held or at(parts.held, b) != 0
+        for what in range(OPEN + 1):
             put(parts.sums, (b, what), 0.0)
         risen = at(parts.energy, (b, 0)) - at(state.memory, at(parts.memory, b)) + T * at(parts.energy, (b, 1))
-        put(parts.sums, (b, _LACKS), op.firmness * (at(parts.worked, b) - risen))
+        put(parts.sums, (b, LACKS), op.firmness * (at(parts.met.worked, b) - risen))
     for i in range(rows):
         b, m, hold = at(parts.part, i), at(op.mass, i), at(op.ground, i)
         x, x0 = load(state.position, i, lanes), load(work.ahead, i, lanes)
@@ -134,12 +239,14 @@ def _share_out(
             lost = (local_damping[w] + extra_damping[w]) * at(op.weight, (w, i))
             own -= share * T * lost * total(rate * rate)
         if push.shape[0] > 0:
-            own += share * T * total(load(push, i, lanes) * rate)
-        _add(parts, b, _LACKS, own)
-        put(parts.sums, (b, _MASS), at(parts.sums, (b, _MASS)) + m)
-        _add(parts, b, _HAVE, 0.5 * m * total(v * v))
+            pushed = share * T * total(load(push, i, lanes) * rate)
+            own += pushed
+            _add(parts, b, FLOW, abs(pushed))
+        _add(parts, b, LACKS, own)
+        put(parts.sums, (b, MASS), at(parts.sums, (b, MASS)) + m)
+        _add(parts, b, MOVING, 0.5 * m * total(v * v))
         for a in range(3):
-            _add(parts, b, _MOMENTUM + a, m * at(state.velocity, (i, a)))
+            _add(parts, b, MOMENTUM + a, m * at(state.velocity, (i, a)))
     for link in range(links.first, links.last):
         w, base = at(links.weight, link), at(links.slot, link) * rows
         for i in range(rows):
@@ -148,80 +255,50 @@ def _share_out(
             pulled = -at(links.strength, link) * (middle - load(links.samples, base + i, lanes))
             if links.push.shape[0] > 0:
                 pulled = pulled + load(links.push, link * rows + i, lanes) - at(links.brake, link) * rate
-            _add(parts, at(parts.part, i), _LACKS, share * T * at(op.weight, (w, i)) * total(pulled * rate))
+            _add(parts, at(parts.part, i), LACKS, share * T * at(op.weight, (w, i)) * total(pulled * rate))
     if ports.shape.shape[0] == 0:
         for p in range(ports.first, ports.last):
             i = at(ports.row, p)
             did = total(load(ports.force, p, lanes) * load(work.mean, i, lanes))
-            _add(parts, at(parts.part, i), _LACKS, share * T * did)
+            _add(parts, at(parts.part, i), LACKS, share * T * did)
     else:  # a port holds a point that follows many rows
         for p in range(ports.first, ports.last):
             for i in range(rows):
                 did = at(ports.shape, (p, i)) * total(load(ports.force, p, lanes) * load(work.mean, i, lanes))
-                _add(parts, at(parts.part, i), _LACKS, share * T * did)
+                _add(parts, at(parts.part, i), LACKS, share * T * did)
     for i in range(rows):
         b = at(parts.part, i)
         beside = 0.0
         for a in range(3):
-            centre = at(parts.sums, (b, _MOMENTUM + a)) / at(parts.sums, (b, _MASS))
+            centre = at(parts.sums, (b, MOMENTUM + a)) / at(parts.sums, (b, MASS))
             beside += (at(state.velocity, (i, a)) - centre) ** 2
-        _add(parts, b, _ABOUT, 0.5 * at(op.mass, i) * beside)
+        _add(parts, b, ABOUT, 0.5 * at(op.mass, i) * beside)
+    _hand_out(op, parts, held, spare, work)
 
 
 @part
-def _close_parts(op: Operator, parts: Parts | None, state: State, work: Workspace, ledger: Float) -> bool:
-    """Balances each body by itself, and those that cannot about the centre of them all; nothing if that is too much."""
+def _hand_out(op: Operator, parts: Parts | None, held: bool, spare: float, work: Workspace) -> None:
+    """Gives what is beside all that bodies lack to where energy flowed: to tools' contacts, else to others.
+
+    What tools that touch nothing have to spare is no body's.
+    """
     if parts is None:
-        return False
-    bodies, weighed = parts.worked.shape[0], work.weighed
-    kinetic, noise = weighed[HAVE], weighed[NOISE]
-    rounded = max(noise, weighed[ROUGH])
-    left = weighed[TARGET] - kinetic
-    worst = 0.0
-    mass = px = py = pz = shared = 0.0
-    for b in range(bodies):
-        lacks, about = at(parts.sums, (b, _LACKS)), at(parts.sums, (b, _ABOUT))
-        square = 1.0 + lacks / about if about > RIGID * at(parts.sums, (b, _HAVE)) else -1.0
-        if not LEAST <= square <= MOST:
-            put(parts.sums, (b, _SHARES), 1.0)
-            mass, shared = mass + at(parts.sums, (b, _MASS)), shared + at(parts.sums, (b, _HAVE))
-            px, py = px + at(parts.sums, (b, _MOMENTUM)), py + at(parts.sums, (b, _MOMENTUM + 1))
-            pz += at(parts.sums, (b, _MOMENTUM + 2))
-            square = 1.0
-        else:
-            left -= lacks
-            if abs(lacks) > rounded:
-                worst = max(worst, abs(math.sqrt(square) - 1.0))
-        put(parts.sums, (b, _BETA), math.sqrt(square))
-    together = 1.0
-    if abs(left) > noise:
-        about = shared - 0.5 * (px * px + py * py + pz * pz) / mass if mass > 0.0 else 0.0
-        square = 1.0 + left / about if about > RIGID * shared else -1.0
-        if not LEAST <= square <= MOST:
-            return False
-        together = math.sqrt(square)
-        if abs(left) > rounded:
-            worst = max(worst, abs(together - 1.0))
-    closed = 0.0
-    for i in range(op.mass.shape[0]):
-        b = at(parts.part, i)
-        share, beta = at(parts.sums, (b, _SHARES)) != 0.0, at(parts.sums, (b, _BETA))
-        if share:
-            beta = together
-        for a in range(3):
-            whole = px if a == 0 else py if a == 1 else pz
-            centre = whole / mass if share else at(parts.sums, (b, _MOMENTUM + a)) / at(parts.sums, (b, _MASS))
-            v = at(state.velocity, (i, a))
-            if beta != 1.0:
-                v = centre + beta * (v - centre)
-                put(state.velocity, (i, a), v)
-            closed += 0.5 * at(op.mass, i) * v * v
-    memory = state.memory
-    memory[ENERGY], memory[MOTION], memory[AT_WORLD] = weighed[LAW], closed, weighed[OUTSIDE]
-    left = weighed[TARGET] - closed
-    memory[LEFT] = left if abs(left) <= noise + weighed[GRAIN] else 0.0
-    ledger[KINETIC] = op.copy_scale * closed
-    ledger[CLOSURE] = op.copy_scale * (closed - kinetic)
-    ledger[BETA] = worst
-    ledger[SHORTENED] = 0.0
-    return True
+        return
+    left, flows = work.weighed[TARGET] - work.weighed[HAVE] - (0.0 if held else spare), 0.0
+    for b in range(parts.held.shape[0]):
+        left -= at(parts.sums, (b, LACKS))
+        if not held:
+            put(parts.sums, (b, FLOW), op.firmness * at(parts.met.flow, b))
+        flows += at(parts.sums, (b, FLOW))
+    if not held and abs(left) <= work.weighed[NOISE]:
+        return
+    most = -1
+    for b in range(parts.held.shape[0]):
+        if flows > 0.0:
+            _add(parts, b, LACKS, left * at(parts.sums, (b, FLOW)) / flows)
+        elif (not held or at(parts.held, b) != 0) and (
+            most < 0 or at(parts.sums, (b, ABOUT)) > at(parts.sums, (most, ABOUT))
+        ):
+            most = b
+    if most >= 0:
+        _add(parts, most, LACKS, left)

@@ -22,7 +22,8 @@ from cotouch.mechanics._balance import (
     resting,
     weigh,
 )
-from cotouch.mechanics._balance_parts import close_all, keep_parts
+from cotouch.mechanics._balance_groups import LAST_OF_ALL
+from cotouch.mechanics._balance_parts import close_all, free_parts, keep_parts, shorten
 from cotouch.mechanics._direction import direct, level, predict
 from cotouch.mechanics._force import BodyForce, evaluate
 from cotouch.mechanics._force_memory import looks_ahead
@@ -92,6 +93,7 @@ def closed_step(
         lanes: fixes the width of a row.
     """
     take_up(force.world, state.memory)
+    free_parts(force.parts)
     ledger[ITERATIONS] = 0.0
     for i in range(op.mass.shape[0]):
         store(work.mean, i, load(state.velocity, i, lanes), lanes)
@@ -130,14 +132,13 @@ def closed_step(
     attempt, length, refused = 0, 1.0, False
     while True:
         keep_place(state, work, lanes)
-        ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
+        gain = ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
         move(op, state, links, T, sample, work, link_work, lanes)
-        gain = ledger[SUPPLIED]
         for link in range(links.first, links.last):
             gain += at(link_work, link)
         weigh(op, force, state, local_damping, extra_damping, T, gain, work, ledger, lanes)
         passed = work.weighed[PASSED] != 0.0
-        if not passed and close_all(
+        if (not passed or force.parts is not None) and close_all(
             op,
             force,
             state,
@@ -147,6 +148,7 @@ def closed_step(
             extra_damping,
             T,
             ports.push[:0],
+            0.0,
             attempt,
             work,
             ledger,
@@ -174,13 +176,11 @@ def closed_step(
             )
             level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
         else:
-            # What cannot be closed, or would still pass an obstacle, at the last attempt stays where it is.
+            # What cannot be closed, or would still pass an obstacle, stays where it is at last.
             shorter = 0.0 if still or attempt >= LAST_ATTEMPT - 1 else 0.5
             refused = refused or (not still and shorter == 0.0)
             length *= shorter
-            for i in range(op.mass.shape[0]):
-                # What overflowed would be no number times 0.
-                store(work.mean, i, shorter * load(work.mean, i, lanes) if shorter > 0.0 else splat(0.0, lanes), lanes)
+            shorten(force.parts, work.mean, shorter, still or attempt >= LAST_OF_ALL - 1, lanes)
         attempt += 1
     weighed = work.weighed
     rounded = abs(weighed[TARGET] - weighed[HAVE]) <= max(weighed[NOISE], weighed[ROUGH])

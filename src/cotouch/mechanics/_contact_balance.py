@@ -9,20 +9,18 @@ from typing import Any
 
 from cotouch.arrays import Float
 from cotouch.mechanics._balance import (
-    HAVE,
     LAST_ATTEMPT,
     LEAST,
     MOST,
     NOISE,
-    PASSED,
     TARGET,
     go_back,
     keep_place,
     resting,
-    square_of,
     weigh,
 )
-from cotouch.mechanics._balance_parts import close_all
+from cotouch.mechanics._balance_groups import LAST_OF_ALL
+from cotouch.mechanics._balance_parts import close_all, judge, shorten, stretch
 from cotouch.mechanics._contact_press import press_tool, rub
 from cotouch.mechanics._contact_snap import draw_tool
 from cotouch.mechanics._contact_sweep import first_crossing
@@ -133,15 +131,14 @@ def balanced(
     least, greatest = (1.0 - _EASY, 1.0 + _EASY) if touches else (LEAST, MOST)
     held_back = held_back or most < 1.0
     seeks, still = not held_back, False
-    scale, have, last, last_over, tries, halves, shrinks = most, 1.0, 0.0, 0.0, 0, 0, _ROUNDING
+    scale, have, last, last_over, tries, halves, shrinks, shorter = most, 1.0, 0.0, 0.0, 0, 0, _ROUNDING, 0
+    pushed = touch.push[: op.mass.shape[0] if look else 0]
     while True:
         over, noise, lost = _over(law, surface, touch, tools, T, free, contact, inflow, force is None, scale)
         if force is None:
             fine = not look or -noise <= over <= max(noise, spare)
         else:
-            for i in range(work.mean.shape[0]):
-                rate = (scale / have) * load(work.mean, i, lanes) if scale > 0.0 else splat(0.0, lanes)
-                store(work.mean, i, rate, lanes)
+            stretch(force.parts, work.mean, scale / have if scale > 0.0 else 0.0, lanes)
             have, touch_ledger[TOUCHED] = scale, over
             ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
             move(op, state, links, T, sample, work, link_work, lanes)
@@ -151,12 +148,30 @@ def balanced(
             weigh(op, force, state, local_damping, extra_damping, T, gain, work, ledger, lanes)
             weighed = work.weighed
             weighed[NOISE] += noise / op.copy_scale
-            over, noise = op.copy_scale * (weighed[TARGET] - weighed[HAVE]), op.copy_scale * weighed[NOISE]
-            square, _ = square_of(weighed, False)
-            passed = weighed[PASSED] != 0.0
+            over, square, passed, others = judge(
+                op,
+                force,
+                state,
+                links,
+                ports,
+                local_damping,
+                extra_damping,
+                T,
+                pushed,
+                over / op.copy_scale,
+                shorter,
+                work,
+                lanes,
+            )
+            over, noise = op.copy_scale * over, op.copy_scale * weighed[NOISE]
             fine = abs(over) <= noise or (least <= square <= greatest and (seeks or over < 0.0))
             fine = fine and not passed
             seeks = seeks and not passed
+            if others:  # bodies that no tool touches
+                go_back(force, state, work, lanes)
+                shorten(force.parts, work.mean, 0.5 if shorter < LAST_ATTEMPT - 2 else 0.0, False, lanes)
+                shorter += 1
+                continue
             if not (fine or passed or touches or still) and resting(weighed):  # the body stays, and its tools go on
                 still = True
                 go_back(force, state, work, lanes)
@@ -194,7 +209,7 @@ def balanced(
         book_energies(op, state, local_damping, extra_damping, T, work, ledger, lanes)
     else:
         if not fine and over > noise:
-            work.weighed[TARGET] = work.weighed[HAVE]
+            work.weighed[TARGET] -= over / op.copy_scale
             touch_ledger[TOUCHED] -= over
         close_all(
             op,
@@ -205,13 +220,16 @@ def balanced(
             local_damping,
             extra_damping,
             T,
-            touch.push[: op.mass.shape[0] if look else 0],
-            LAST_ATTEMPT,
+            pushed,
+            touch_ledger[TOUCHED] / op.copy_scale,
+            LAST_OF_ALL,
             work,
             ledger,
             lanes,
         )
         ledger[SHORTENED] = 0.0 if held_back else max(LEAST - scale, 0.0)
+        if shorter > 0:
+            ledger[SHORTENED] = 1.0 - 0.5**shorter
     return scale
 
 

@@ -9,6 +9,7 @@ import math
 from typing import Any
 
 from cotouch.arrays import Float
+from cotouch.mechanics._balance_parts import hold_parts
 from cotouch.mechanics._contact_balance import balanced, dot_rows
 from cotouch.mechanics._contact_catch import begin_catch, catch
 from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_rows, tell
@@ -18,7 +19,7 @@ from cotouch.mechanics._contact_snap import begin_snap, end_snap, owed_drag
 from cotouch.mechanics._contact_solve import lacking, solve_touched
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import Contact, ContactWork
-from cotouch.mechanics._direction import predict
+from cotouch.mechanics._direction import level, predict
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import looks_ahead
 from cotouch.mechanics._grasp import feel_grasp, take
@@ -146,6 +147,9 @@ def contact_step(
         free, contact = lacking(op, work, lanes)
     else:
         free, contact = dot_rows(mean, work.rhs, lanes), dot_rows(mean, push, lanes) if look else 0.0
+    if force is not None:
+        hold_parts(force.parts, touch.mark)
+        level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
     sigma = balanced(
         law,
         op,

@@ -165,14 +165,15 @@ def level(
 ) -> None:
     """Moves each of several bodies as a whole so that it gets just the momentum of the forces where v̂ leads.
 
-    Coarse solves, and looks that end before contact is exactly what it was, would make some out of nothing.
+    Coarse solves, and looks that end before contact is exactly what it was, would make some out of nothing. What a tool
+    touches is left as it was found together with the tool.
     """
     if parts is None:
         return
     predict(op, force, state, T, True, work, lanes)
     assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
     miss(op, work.diagonal, work.rhs, work, work.rhs, lanes)
-    for b in range(parts.worked.shape[0]):
+    for b in range(parts.held.shape[0]):
         for what in range(4):
             put(parts.sums, (b, what), 0.0)
     if ports.shape.shape[0] > 0:
@@ -188,7 +189,7 @@ def level(
             put(parts.sums, (b, 1 + a), at(parts.sums, (b, 1 + a)) + at(work.rhs, (i, a)))
     for i in range(op.mass.shape[0]):
         b = at(parts.part, i)
-        for a in range(3):
+        for a in range(3 if at(parts.held, b) == 0 else 0):
             put(work.mean, (i, a), at(work.mean, (i, a)) + at(parts.sums, (b, 1 + a)) / at(parts.sums, (b, 0)))
 
 

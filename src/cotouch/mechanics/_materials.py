@@ -145,7 +145,7 @@ def force_of(body: Body, material: Material, order: Int | None) -> tuple[BodyFor
     parts: Parts | None = None
     if body.parts:
         law, size, directions = _together(body, row)
-        parts = parts_of(body, order, law.memory, law.energy, np.zeros(len(body.parts)))
+        parts = parts_of(body, order, law.memory, law.energy)
     else:
         law, rotations = _law(body, material, row, rest)
         size, directions = memory_size(rotations), _directions(body, material)

@@ -48,6 +48,22 @@ class Between:
             )
 
 
+class Met(NamedTuple):
+    """What contact did to each of several bodies; those that stand still follow the others.
+
+    Attributes:
+        worked: what obstacles and others did on it, (bodies,) [J].
+        flow: how much energy went to and fro there, (bodies,) [J].
+        passed: whether it passed an obstacle, or another body, (bodies,).
+        group: the first of those that touch each other, of which it is one, (bodies,).
+    """
+
+    worked: Float
+    flow: Float
+    passed: Int
+    group: Int
+
+
 class Parts(NamedTuple):
     """Each body's share in the balance of a step.
 
@@ -55,14 +71,16 @@ class Parts(NamedTuple):
         part: body of each row, (rows,).
         memory: where each body's memory begins, (bodies + 1,); its first number is the energy of its law.
         energy: energy [J] and dissipated power [W] of each body's law in the step, (bodies, 2).
-        worked: what contact did on each body in the step, (bodies,) [J].
+        met: what contact did to each body in the step; see `Met`.
+        held: whether each is touched by a tool, or by a body that is, (bodies,).
         sums: scratch, (bodies, SUMS).
     """
 
     part: Int
     memory: Int
     energy: Float
-    worked: Float
+    met: Met
+    held: Int
     sums: Float
 
 
@@ -70,11 +88,13 @@ class Meeting(NamedTuple):
     """Bodies that meet: their skins as points and triangles, and a tree of boxes around the triangles of each.
 
     Points of a body follow one another, like its vertices, triangles and boxes; the first box holds all others.
+    Solids that stand still come last, as bodies whose vertices no row carries.
 
     Attributes:
+        moves: how many bodies move.
         stiffness: κ of the points of the first body in the second, (bodies, bodies) [N/m³].
-        loss: λ [s/m].
-        friction: coefficient of what does not slip.
+        loss: λ likewise [s/m].
+        friction: likewise, coefficient of what does not slip.
         kinetic: and of what does.
         part: body of each point, (P,).
         points: first point of each body, (bodies + 1,).
@@ -114,13 +134,14 @@ class Meeting(NamedTuple):
         moved: scratch: rows for which that is not 0, (rows,).
         alike: scratch: what resists motion between rows that are solved for at once, the same along each axis, on
             the diagonal and below it, (rows, rows), or (0, 0) [Ns/m].
-        worked: result, see `Parts`.
+        met: result.
     """
 
+    moves: int
     stiffness: Float
-    loss: float
-    friction: float
-    kinetic: float
+    loss: Float
+    friction: Float
+    kinetic: Float
     part: Int
     points: Int
     vertices: Int
@@ -157,4 +178,4 @@ class Meeting(NamedTuple):
     coefficient: Float
     moved: Int
     alike: Float
-    worked: Float
+    met: Met

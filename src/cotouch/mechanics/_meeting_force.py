@@ -37,16 +37,45 @@ def begin_bodies(m: Meeting | None) -> None:
 def begin_work(m: Meeting | None) -> None:
     """Nothing was done on any body yet."""
     if m is not None:
-        for b in range(m.worked.shape[0]):
-            put(m.worked, b, 0.0)
+        for b in range(m.met.group.shape[0]):
+            put(m.met.worked, b, 0.0)
+            put(m.met.flow, b, 0.0)
+            put(m.met.passed, b, 0)
 
 
 @inner
-def book_work(m: Meeting | None, p: int, work: float) -> None:
-    """What an obstacle did on a point [J]."""
+def book_work(m: Meeting | None, p: int, work: float, flow: float, passed: bool) -> None:
+    """What an obstacle did on a point, how much energy went to and fro [J], and whether the point passed it."""
     if m is not None:
-        b = at(m.part, p)
-        put(m.worked, b, at(m.worked, b) + work)
+        _book(m, at(m.part, p), work, flow, passed)
+
+
+@inner
+def _book(m: Meeting, b: int, work: float, flow: float, passed: bool) -> None:
+    put(m.met.worked, b, at(m.met.worked, b) + work)
+    put(m.met.flow, b, at(m.met.flow, b) + flow)
+    if passed:
+        put(m.met.passed, b, 1)
+
+
+@part
+def _alone(m: Meeting) -> None:
+    """Nobody touches anybody."""
+    for b in range(m.met.group.shape[0]):
+        put(m.met.group, b, b)
+
+
+@inner
+def _join(m: Meeting, e: int) -> None:
+    """Those whom an entry's point joins are of one group; what stands still joins nobody."""
+    one, two = at(m.part, at(m.point, e)), at(m.other, e)
+    if max(one, two) < m.moves and (at(m.began, (e, 0)) > 0.0 or at(m.ended, (e, 0)) > 0.0):
+        low, high = at(m.met.group, one), at(m.met.group, two)
+        low, high = min(low, high), max(low, high)
+        if low != high:
+            for b in range(m.moves):
+                if at(m.met.group, b) == high:
+                    put(m.met.group, b, low)
 
 
 @part
@@ -69,9 +98,11 @@ def _meet(
 ) -> _Met:
     """One point and the body that it may meet, whose nearest triangle it passes by m; see `_world_force._meet`."""
     p = at(m.point, e)
+    pair = at(m.part, p), at(m.other, e)
     off = offset_of(world, memory, world.kind.shape[0] * world.area.shape[0] + p)
     before, after = at(m.began, (e, 0)) - off, at(m.ended, (e, 0)) - off
-    k = at(m.stiffness, (at(m.part, p), at(m.other, e))) * at(world.area, p) * at(world.there, p)
+    k = at(m.stiffness, pair) * at(world.area, p) * at(world.there, p)
+    loss, friction = at(m.loss, pair), at(m.friction, pair)
     sx, sy, sz = at(memory, here), at(memory, here + 1), at(memory, here + 2)
     grip = 0.5 * k
     held = 0.5 * grip * (sx * sx + sy * sy + sz * sz)
@@ -97,24 +128,24 @@ def _meet(
     if abs(off) > _ROUNDING * (abs(before) + abs(after) + m.lever) and square > 0.0:
         short = min(max(off, -_TURNED * math.sqrt(square)), _TURNED * math.sqrt(square)) / square
         gx, gy, gz = nx - short * mx, ny - short * my, nz - short * mz
-    change = max(m.loss * deeper / T, -1.0)
+    change = max(loss * deeper / T, -1.0)
     stored, lost = 0.0, push * change * deeper
     if after > 0.0:
         stored = 0.5 * k * after * after
     total = push * (1.0 + change)
     fx, fy, fz = total * gx, total * gy, total * gz
-    firm = (0.5 * k * T if after > 0.0 else 0.0) + push * m.loss
-    if m.friction <= 0.0:
+    firm = (0.5 * k * T if after > 0.0 else 0.0) + push * loss
+    if friction <= 0.0:
         return fx, fy, fz, stored, lost, firm, 0.0, 0.0, 0.0, 0.0
     across = sx * nx + sy * ny + sz * nz
     sx, sy, sz = sx - across * nx, sy - across * ny, sz - across * nz
     lost += max(held - 0.5 * grip * (sx * sx + sy * sy + sz * sz), 0.0)
     tx, ty, tz = sx + mx - along * nx, sy + my - along * ny, sz + mz - along * nz
     trial = math.sqrt(tx * tx + ty * ty + tz * tz)
-    cone = (m.kinetic if at(memory, here + 3) != 0.0 else m.friction) * total / grip
+    cone = (at(m.kinetic, pair) if at(memory, here + 3) != 0.0 else friction) * total / grip
     share, slips = 1.0, 0.0
     if trial > cone:
-        share, slips = m.kinetic * total / (grip * trial), 1.0
+        share, slips = at(m.kinetic, pair) * total / (grip * trial), 1.0
     ex, ey, ez = share * tx, share * ty, share * tz
     stored += 0.5 * grip * (ex * ex + ey * ey + ez * ez)
     lost += grip * (ex * (tx - ex) + ey * (ty - ey) + ez * (tz - ez))
@@ -122,7 +153,7 @@ def _meet(
     firm = max(firm, share * grip * T)
     # A dashpot beside what holds, as far as the cone has room.
     slide = math.sqrt(max((mx - along * nx) ** 2 + (my - along * ny) ** 2 + (mz - along * nz) ** 2, 0.0))
-    drag = min(0.5 * push * m.loss * slide / T, max(cone - math.sqrt(ex * ex + ey * ey + ez * ez), 0.0) * grip)
+    drag = min(0.5 * push * loss * slide / T, max(cone - math.sqrt(ex * ex + ey * ey + ez * ez), 0.0) * grip)
     if slips == 0.0 and drag > 0.0:
         lost += drag * slide
         fx, fy, fz = (
@@ -167,11 +198,13 @@ def press_bodies(
     slot, change, size = world.kind.shape[0] * points, 0.0, 0.0
     for n in range(m.alike.size):
         put(m.alike, n, 0.0)
+    _alone(m)
     for e in range(at(m.entries, 1)):
         p = at(m.point, e)
         px, py, pz = point_at(world, p, x)
         qx, qy, qz = point_at(world, p, ahead)
         follow(m, e, qx, qy, qz)
+        _join(m, e)
         f = _carrier(m, e)
         ax, ay, az = _beside(m, e, f, m.place)
         bx, by, bz = _beside(m, e, f, m.later)
@@ -247,6 +280,7 @@ def weigh_bodies(
     kept = world.first + 4 * world.told.shape[0]
     for n in range(4 * points):
         put(memory, kept + 4 * slot + n, 0.0)
+    _alone(m)
     for p in range(points if world.offset >= 0 else 0):
         put(memory, world.offset + world.told.shape[0] + slot + p, 0.0)
     for e in range(at(m.entries, 1)):
@@ -254,7 +288,9 @@ def weigh_bodies(
         px, py, pz = point_at(world, p, x)
         qx, qy, qz = point_at(world, p, ahead)
         follow(m, e, qx, qy, qz)
-        passed = passed or _passes(m, e, px, py, pz, qx - px, qy - py, qz - pz)
+        _join(m, e)
+        through = _passes(m, e, px, py, pz, qx - px, qy - py, qz - pz)
+        passed = passed or through
         f = _carrier(m, e)
         ax, ay, az = _beside(m, e, f, m.place)
         bx, by, bz = _beside(m, e, f, m.later)
@@ -263,15 +299,31 @@ def weigh_bodies(
             world, m, memory, e, here, (qx - px) - (bx - ax), (qy - py) - (by - ay), (qz - pz) - (bz - az), T
         )
         energy, lost = energy + stored, lost + gone
+        own = at(m.part, p)
+        firm = at(m.stiffness, (own, other)) * at(world.area, p) * at(world.there, p)
+        before = 0.5 * firm * max(at(m.began, (e, 0)) - offset_of(world, memory, slot + p), 0.0) ** 2
+        for a in range(3):
+            before += 0.25 * firm * at(memory, here + a) ** 2
+        did = fx * (qx - px) + fy * (qy - py) + fz * (qz - pz)
+        took = -fx * (bx - ax) - fy * (by - ay) - fz * (bz - az)
+        # What a force that could not be turned so far does not do by itself, both have half of.
+        short = 0.5 * (before - stored - gone - did - took)
+        flow = 0.5 * (abs(stored - before) + gone)
+        if max(own, other) < m.moves:
+            _book(m, own, did + short, flow, through)
+            _book(m, other, took + short, flow, through)
+        else:
+            _book(m, min(own, other), did + took + 2.0 * short, 2.0 * flow, through)
+            row, sign = world.kind.shape[0] + max(own, other) - m.moves, 1.0 if own < m.moves else -1.0
+            put(world.force, (row, 0), at(world.force, (row, 0)) + sign * fx)
+            put(world.force, (row, 1), at(world.force, (row, 1)) + sign * fy)
+            put(world.force, (row, 2), at(world.force, (row, 2)) + sign * fz)
         here = kept + 4 * (slot + p)
         put(memory, here, ex)
         put(memory, here + 1, ey)
         put(memory, here + 2, ez)
         put(memory, here + 3, slips)
         follow_offset(world, memory, slot + p, at(m.ended, (e, 0)))
-        own = at(m.part, p)
-        put(m.worked, own, at(m.worked, own) + fx * (qx - px) + fy * (qy - py) + fz * (qz - pz))
-        put(m.worked, other, at(m.worked, other) - fx * (bx - ax) - fy * (by - ay) - fz * (bz - az))
     return energy, lost, passed
 
 

@@ -90,17 +90,18 @@ def gather(world: World, m: Meeting, x: Float, bound: float) -> None:
     bodies, reach, count, used = m.touched.shape[0], 2.0 * m.lever * bound, 0, 0
     for b in range(bodies):
         put(m.touched, b, 0)
-        _lay(m, x, b, m.place)
-        _enclose(m, b, False)
+        if b < m.moves:
+            _lay(m, x, b, m.place)
+            _enclose(m, b, False)
     for one in range(bodies):
-        for two in range(one):
+        for two in range(min(one, m.moves)):
             if _near(m, one, two, reach):
                 put(m.touched, one, 1)
                 put(m.touched, two, 1)
     for b in range(bodies):
         if at(m.within, b) > 0.0:
             put(m.touched, b, 1)
-        if at(m.touched, b) != 0:
+        if at(m.touched, b) != 0 and b < m.moves:
             _enclose(m, b, True)
     for own in range(bodies):
         if at(m.touched, own) == 0:
@@ -110,7 +111,7 @@ def gather(world: World, m: Meeting, x: Float, bound: float) -> None:
                 continue
             px, py, pz = point_at(world, p, x)
             deepest, other, last = -math.inf, -1, -1
-            for b in range(bodies):
+            for b in range(bodies if own < m.moves else m.moves):
                 box = at(m.boxes, b)
                 if (b == own and at(m.within, b) <= 0.0) or at(m.touched, b) == 0:
                     continue
@@ -153,6 +154,6 @@ def make_ready(world: World, m: Meeting, x: Float, ahead: Float) -> None:
     if at(m.entries, 0) == 0 or farthest > at(m.bound, 0):
         gather(world, m, x, max(_AHEAD * farthest, m.slack))
     if at(m.entries, 1) > 0:
-        for b in range(m.touched.shape[0]):
+        for b in range(m.moves):
             if at(m.touched, b) != 0:
                 _lay(m, ahead, b, m.later)

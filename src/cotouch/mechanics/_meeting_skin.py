@@ -1,5 +1,6 @@
 """The skins of several bodies in the form in which they meet: vertices, triangles, and trees of boxes around these."""
 
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -7,9 +8,11 @@ import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
-from cotouch.body import Body, CutSkin, Part
-from cotouch.mechanics._meeting import Between, Meeting, Parts
+from cotouch.body import Body, CutSkin
+from cotouch.mechanics._meeting import Between, Meeting, Met, Parts
 from cotouch.mechanics._meeting_own import own_of, unmet
+from cotouch.mechanics._shape_solid import Solid
+from cotouch.mechanics._world import Obstacle
 
 Int = npt.NDArray[np.int32]
 
@@ -21,7 +24,7 @@ _SLACK = 1e-3
 # By which power of the ratio of their skins' areas a smaller body's points count more.
 _SMALLER = 4.0
 # Numbers of each body's balance.
-SUMS = 12
+SUMS = 14
 
 
 def part_of_nodes(body: Body) -> Int:
@@ -29,14 +32,19 @@ def part_of_nodes(body: Body) -> Int:
     return np.repeat(np.arange(len(body.parts)), [part.body.nodes for part in body.parts]).astype(np.int32)
 
 
-def thickness_of(part: Part) -> float:
+def thickness_of(vertices: Float) -> float:
     """The least extent of a body along the main axes of its vertices [m]."""
-    vertices = part.skin().vertices
     about = vertices - vertices.mean(axis=0)
     return float(np.ptp(about @ np.linalg.svd(about, full_matrices=False)[2].T, axis=0).min())
 
 
-def parts_of(body: Body, order: Int | None, memory: Int, energy: Float, worked: Float) -> Parts:
+def met_of(bodies: int) -> Met:
+    """Room for what contact does to so many bodies."""
+    numbers = np.arange(bodies, dtype=np.int32)
+    return Met(worked=np.zeros(bodies), flow=np.zeros(bodies), passed=np.zeros_like(numbers), group=numbers)
+
+
+def parts_of(body: Body, order: Int | None, memory: Int, energy: Float) -> Parts:
     """Each body's share in the balance.
 
     Args:
@@ -44,48 +52,64 @@ def parts_of(body: Body, order: Int | None, memory: Int, energy: Float, worked: 
         order: row k of the kernels is node `order[k]`; None: node k.
         memory: where each body's memory begins, (bodies + 1,).
         energy: where the law writes energies and powers, (bodies, 2).
-        worked: where contact writes its work, (bodies,).
     """
     of = part_of_nodes(body)
     return Parts(
         part=of if order is None else np.ascontiguousarray(of[order]),
         memory=memory,
         energy=energy,
-        worked=worked,
+        met=met_of(len(body.parts)),
+        held=np.zeros(len(body.parts), dtype=np.int32),
         sums=np.zeros((len(body.parts), SUMS)),
     )
 
 
 def meeting_of(
-    body: Body, between: Between, points: sp.csr_array, order: Int | None, faces: CutSkin | None, hidden: Int
+    body: Body,
+    between: Between,
+    solids: Sequence[Obstacle],
+    points: sp.csr_array,
+    part: Int,
+    order: Int | None,
+    faces: CutSkin | None,
+    hidden: Int,
 ) -> Meeting:
-    """Several bodies that meet, for the kernels.
+    """Several bodies that meet each other, and solids that stand still, for the kernels.
 
     Args:
         body: of several, with a skin.
         between: what they do to each other.
+        solids: meshes that stand still.
         points: how much of each row of the kernels carries each point, (P, rows), one body after the other.
+        part: body of each point, solids last, (P,).
         order: row k of the kernels is node `order[k]`; None: node k.
         faces: the skin with its inner faces, of what can be cut.
-        hidden: where it is written which of its triangles are not there.
+        hidden: where it is written which of its triangles are not there, those of solids last.
     """
     skin = body.skin if faces is None else faces.skin
     assert skin is not None
-    of = part_of_nodes(body)
     carry = skin.interpolation(body.nodes).copy()
-    rows = of
     if order is not None:
-        carry, rows = sp.csr_array(carry[:, order]), of[order]
+        carry = sp.csr_array(carry[:, order])
     carry.sum_duplicates()
     carry.eliminate_zeros()
     carry.sort_indices()
+    still = [one.shape for one in solids if isinstance(one.shape, Solid)]
+    skins = [part.skin() for part in body.parts]
+    moving = len(skins)
     if faces is None:
-        vertices = np.cumsum([0, *(part.skin().vertices.shape[0] for part in body.parts)])
-        triangles = np.cumsum([0, *(part.skin().triangles.shape[0] for part in body.parts)])
+        vertices = np.cumsum([0, *(one.vertices.shape[0] for one in skins)])
+        triangles = np.cumsum([0, *(one.triangles.shape[0] for one in skins)])
     else:
         vertices, triangles = faces.vertices, faces.triangles
-    corner, rest = np.ascontiguousarray(skin.triangles, dtype=np.int32), np.zeros((skin.vertices.shape[0], 4))
-    rest[:, :3] = skin.vertices - body.rest.mean(axis=0)
+    vertices = np.append(vertices, vertices[-1] + np.cumsum([one.vertices.shape[0] for one in still], dtype=int))
+    triangles = np.append(triangles, triangles[-1] + np.cumsum([one.triangles.shape[0] for one in still], dtype=int))
+    corner = np.concatenate(
+        [skin.triangles, *(one.triangles + vertices[moving + k] for k, one in enumerate(still))]
+    ).astype(np.int32)
+    rest = np.zeros((int(vertices[-1]), 4))
+    rest[:, :3] = np.concatenate([skin.vertices, *(one.vertices for one in still)]) - body.rest.mean(axis=0)
+    pointer = np.append(carry.indptr, np.full(rest.shape[0] - carry.shape[0], carry.indptr[-1]))
     child: list[Int] = []
     leaf: list[Int] = []
     boxes = [0]
@@ -94,20 +118,30 @@ def meeting_of(
         child.append(own)
         leaf.append(members)
         boxes.append(boxes[-1] + own.shape[0])
-    part = np.asarray(rows[points.indices[points.indptr[:-1]]], dtype=np.int32)
-    count, bodies = part.size, len(body.parts)
-    within, skips, skip = own_of(body, points, carry, corner, order, part) if between.own else unmet(bodies, count)
+    count, bodies = part.size, moving + len(still)
+    within, skips, skip = unmet(bodies, count)
+    if between.own:
+        own = int(np.searchsorted(part, moving))
+        within[:moving], skips[: own + 1], skip = own_of(
+            body, sp.csr_array(points[:own]), carry, corner[: triangles[moving]], order, part[:own]
+        )
+        skips[own + 1 :] = skip.size
+    low, high = np.zeros((boxes[-1], 4)), np.zeros((boxes[-1], 4))
+    for one in range(moving, bodies):
+        _enclose(low, high, np.concatenate(child), np.concatenate(leaf), rest[corner], boxes[one], boxes[one + 1])
     return Meeting(
-        stiffness=between.stiffness * _shares(body),
-        loss=between.loss,
-        friction=between.friction,
-        kinetic=between.friction if between.kinetic is None else between.kinetic,
+        moves=moving,
+        stiffness=_of_pairs(between.stiffness, [one.stiffness for one in solids], moving)
+        * _shares([one.vertices[one.triangles] for one in (*skins, *still)]),
+        loss=_of_pairs(between.loss, [one.loss for one in solids], moving),
+        friction=_of_pairs(between.friction, [one.friction for one in solids], moving),
+        kinetic=_of_pairs(_slipping(between), [_slipping(one) for one in solids], moving),
         part=part,
         points=np.searchsorted(part, np.arange(bodies + 1)).astype(np.int32),
         vertices=vertices.astype(np.int32),
         boxes=np.array(boxes, dtype=np.int32),
         corner=corner,
-        pointer=carry.indptr.astype(np.int32),
+        pointer=pointer.astype(np.int32),
         row=carry.indices.astype(np.int32),
         share=np.ascontiguousarray(carry.data, dtype=np.float64),
         rest=rest,
@@ -116,14 +150,14 @@ def meeting_of(
         leaf=np.concatenate(leaf).astype(np.int32),
         leaves=triangles.astype(np.int32),
         lever=float(max(abs(carry).sum(axis=1).max(), abs(points).sum(axis=1).max())),
-        slack=_SLACK * min(thickness_of(one) for one in body.parts),
+        slack=_SLACK * min(thickness_of(one.vertices) for one in (*skins, *still)),
         within=within,
         skips=skips,
         skip=skip,
-        low=np.zeros((boxes[-1], 4)),
-        high=np.zeros((boxes[-1], 4)),
-        place=np.zeros_like(rest),
-        later=np.zeros_like(rest),
+        low=low,
+        high=high,
+        place=rest.copy(),
+        later=rest.copy(),
         touched=np.zeros(bodies, dtype=np.int32),
         stack=np.zeros(boxes[-1] + 2, dtype=np.int32),
         entries=np.zeros(2, dtype=np.int32),
@@ -138,13 +172,35 @@ def meeting_of(
         coefficient=np.zeros(body.nodes),
         moved=np.zeros(body.nodes, dtype=np.int32),
         alike=np.zeros((body.nodes,) * 2 if body.rigid else (0, 0)),
-        worked=np.zeros(bodies),
+        met=met_of(bodies),
     )
 
 
-def _shares(body: Body) -> Float:
+def _slipping(law: Between | Obstacle) -> float:
+    return law.friction if law.kinetic is None else law.kinetic
+
+
+def _of_pairs(between: float, solids: Sequence[float], moving: int) -> Float:
+    """A number of two bodies that meet, or of a body and a solid, for all pairs, (bodies, bodies)."""
+    found = np.full((moving + len(solids),) * 2, between)
+    for k, own in enumerate(solids):
+        found[moving + k, :] = found[:, moving + k] = own
+    return found
+
+
+def _enclose(low: Float, high: Float, child: Int, leaf: Int, corners: Float, first: int, last: int) -> None:
+    """Boxes of what stands still, once for all; see `Meeting`."""
+    for box in range(last - 1, first - 1, -1):
+        left, right = child[box]
+        if left >= 0:
+            low[box], high[box] = np.minimum(low[left], low[right]), np.maximum(high[left], high[right])
+        else:
+            own = corners[leaf[-1 - left : -1 - left + right]].reshape(-1, 4)
+            low[box], high[box] = own.min(axis=0), own.max(axis=0)
+
+
+def _shares(corners: Sequence[Float]) -> Float:
     """How much the points of one body count in another, (bodies, bodies): of one size half each."""
-    corners = [part.skin().vertices[part.skin().triangles] for part in body.parts]
     area = np.array([np.linalg.norm(np.cross(c[:, 1] - c[:, 0], c[:, 2] - c[:, 0]), axis=1).sum() for c in corners])
     return 1.0 / (1.0 + (area[:, None] / area[None, :]) ** _SMALLER)
 

@@ -21,7 +21,7 @@ from cotouch.mechanics._meeting import Between
 from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, halves, mixed
 from cotouch.mechanics._state import Workspace, workspace
 from cotouch.mechanics._vector import WIDTHS
-from cotouch.mechanics._world import Obstacle
+from cotouch.mechanics._world import Obstacle, solids_of
 from cotouch.mechanics._world_points import world_of
 
 Int = npt.NDArray[np.int32]
@@ -236,13 +236,13 @@ def _of_material(
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
     force, memory = force_of(body, material, order)
     force = force._replace(behind=memory)
-    meets = len(body.parts) > 1 or (between is not None and between.own and bool(body.parts))
+    solids = bool(solids_of(obstacles, body))
+    meets = len(body.parts) > 1 or (bool(body.parts) and (solids or (between is not None and between.own)))
     between = (between or Between()) if meets else None
     if obstacles or between is not None:
         world, more = world_of(body, obstacles, between, order, memory)
         force, memory = force._replace(world=world), memory + more
-        parts, bodies = force.parts, world.bodies
-        force = force._replace(parts=parts and bodies and parts._replace(worked=bodies.worked))
+        force = force._replace(parts=force.parts and world.bodies and force.parts._replace(met=world.bodies.met))
     cut = -1
     if body.cut_count:
         cut, memory = memory + 1, memory + 1 + 2 * body.cut_count

@@ -1,6 +1,9 @@
 """Static shapes: how deep a point is in them, one file for each shape."""
 
 from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.mechanics import _shape_box as box
@@ -10,8 +13,9 @@ from cotouch.mechanics._kernel import inner
 from cotouch.mechanics._shape_box import Box
 from cotouch.mechanics._shape_plane import Plane, Vector3
 from cotouch.mechanics._shape_plate import Plate
+from cotouch.mechanics._shape_solid import Solid
 
-Shape = Plane | Box | Plate
+Shape = Plane | Box | Plate | Solid
 # The registry: a shape's place here is its number in kernels. A *shape* is a NamedTuple with `packed` (the numbers that
 # its kernel reads, at most `NUMBERS`) and `thickness`, and one compiled function, `depth`, which `depth` below calls.
 SHAPES: tuple[type, ...] = (Plane, Box, Plate)
@@ -80,7 +84,17 @@ def passes(
     return enters >= 0 and leaves >= 0 and enters // 2 == leaves // 2 and enters != leaves
 
 
-def packed(shape: Shape, origin: Vector3) -> tuple[int, list[float]]:
+def shape_table(shape: Shape) -> dict[str, Any]:
+    """A shape as the page knows it: its kind, and its numbers by name."""
+    if isinstance(shape, Solid):
+        numbers = {"vertices": shape.vertices, "triangles": shape.triangles}
+    else:
+        numbers = shape._asdict()
+    told = {name: np.asarray(value).ravel().tolist() for name, value in numbers.items()}
+    return {"kind": type(shape).__name__.lower(), **told}
+
+
+def packed(shape: Plane | Box | Plate, origin: Vector3) -> tuple[int, list[float]]:
     """The number of a shape, and what kernels read of it.
 
     Raises:
@@ -89,7 +103,7 @@ def packed(shape: Shape, origin: Vector3) -> tuple[int, list[float]]:
     return SHAPES.index(type(shape)), shape.packed(origin)
 
 
-def shape_of(kind: int, numbers: Sequence[float]) -> Shape:
+def shape_of(kind: int, numbers: Sequence[float]) -> Plane | Box | Plate:
     """A shape of the numbers of its fields, one after the other; what follows them is left out.
 
     Args:

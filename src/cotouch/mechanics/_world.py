@@ -1,6 +1,7 @@
 """What stands still around a body: obstacles that it rests on and bumps into, as the kernels want them."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, final
 
@@ -8,9 +9,11 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.errors import BodyError
+from cotouch.body import Body
+from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._meeting import Meeting
 from cotouch.mechanics._shape import Shape, packed
+from cotouch.mechanics._shape_solid import Solid
 
 Int = npt.NDArray[np.int32]
 
@@ -43,7 +46,24 @@ class Obstacle:
             raise BodyError(
                 f"kinetic friction is {self.kinetic:g}; it must be between 0 and friction, {self.friction:g}"
             )
-        packed(self.shape, (0.0, 0.0, 0.0))
+        if not isinstance(self.shape, Solid):
+            packed(self.shape, (0.0, 0.0, 0.0))
+
+
+def solids_of(obstacles: Sequence[Obstacle], body: Body) -> list[Obstacle]:
+    """Those of some obstacles that are solids.
+
+    Args:
+        obstacles: of any shape.
+        body: that is to meet them.
+
+    Raises:
+        UnsupportedError: it cannot meet solids.
+    """
+    found = [one for one in obstacles if isinstance(one.shape, Solid)]
+    if found and not body.parts:
+        raise UnsupportedError("what meets a solid must be one of several bodies; make it so by `together`")
+    return found
 
 
 class World(NamedTuple):
@@ -58,6 +78,7 @@ class World(NamedTuple):
         share: how much of each, (entries,).
         rest: places of the points at rest, less `origin`, (P, 4) [m].
         area: of the skin that each stands for, (P,) [m²].
+        moves: how many of them the body carries; the others are of solids that stand still.
         kind: of each obstacle, (S,).
         numbers: of its shape, (S, NUMBERS).
         stiffness: κ, (S,) [N/m³].
@@ -69,7 +90,7 @@ class World(NamedTuple):
         couple: scratch: the same between rows that are solved for at once, (3 rows, 3 rows), or (0, 0) [Ns/m].
         told: scratch: force on each point by the last look, ((S + 1) * P, 4), or (S * P, 4) of one body [N].
         tried: scratch: velocity of the rows at the last look, (rows, 4) [m/s].
-        force: result: mean force of each obstacle on the whole body in the step, (S, 4) [N].
+        force: result: mean force of each obstacle on the whole body in the step, solids last, (obstacles, 4) [N].
         offset: where in a copy's memory begins, for each obstacle and point and each point and other bodies, how deep
             the point was where it or what it lies in came to light by a cut, which holds nothing: as the last step left
             them, then as this one would; negative: nothing can be cut [m].
@@ -78,7 +99,7 @@ class World(NamedTuple):
         pointer_of: CSR row pointer of what makes up each point of a body that can be cut, (P + 1,).
         triangle: triangles of the skin with its inner faces.
         part_of: which share of the point each makes.
-        hidden: scratch: 1 where a triangle is not there, (F,), or (0,).
+        hidden: scratch: 1 where a triangle is not there, those of solids last, (F,), or (0,).
         gone: scratch: how many elements of the copy for which these were worked out were cut, (1,).
         bodies: several bodies that meet each other; None: there is one.
     """
@@ -89,6 +110,7 @@ class World(NamedTuple):
     share: Float
     rest: Float
     area: Float
+    moves: int
     kind: Int
     numbers: Float
     stiffness: Float

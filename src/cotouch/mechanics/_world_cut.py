@@ -24,7 +24,7 @@ def show(world: World) -> None:
     Args:
         world: `hidden` is known; `there` is changed.
     """
-    for p in range(world.there.shape[0]):
+    for p in range(world.moves):
         gone, there = 0.0, 0.0
         for n in range(at(world.pointer_of, p), at(world.pointer_of, p + 1)):
             if at(world.hidden, at(world.triangle, n)) != 0:
@@ -40,7 +40,7 @@ def _depths(world: World, x: Float) -> None:
     points = world.area.shape[0]
     for n in range(world.told.shape[0]):
         put(world.told, (n, 3), 0.0)
-    for p in range(points):
+    for p in range(world.moves):
         if at(world.there, p) == 0.0:
             continue
         px, py, pz = point_at(world, p, x)

@@ -174,7 +174,7 @@ def press_world(
     """
     if world is None:
         return True
-    points, change, size = world.area.shape[0], 0.0, 0.0
+    change, size = 0.0, 0.0
     for i in range(world.hold.shape[0]):  # what the last look leaned on has moved since
         hold = at(world.hold, i)
         if hold != 0.0:
@@ -184,7 +184,7 @@ def press_world(
         put(world.hold, i, 0.0)
     for n in range(world.couple.size):
         put(world.couple, n, 0.0)
-    for p in range(points):
+    for p in range(world.moves if world.kind.shape[0] > 0 else 0):
         if at(world.there, p) == 0.0:
             continue
         ux, uy, uz = _place(world, p, x)
@@ -273,10 +273,10 @@ def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: f
     points, energy, lost, passed = world.area.shape[0], 0.0, 0.0, False
     kept = world.first + 4 * world.told.shape[0]
     zero = splat(0.0, (0, 0, 0, 0))
-    for s in range(world.kind.shape[0]):
+    for s in range(world.force.shape[0]):
         store(world.force, s, zero, (0, 0, 0, 0))
     begin_work(world.bodies)
-    for p in range(points):
+    for p in range(world.moves if world.kind.shape[0] > 0 else 0):
         if at(world.there, p) == 0.0:
             continue
         ux, uy, uz = _place(world, p, x)
@@ -298,7 +298,7 @@ def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: f
             put(world.force, (s, 0), at(world.force, (s, 0)) + a)
             put(world.force, (s, 1), at(world.force, (s, 1)) + b)
             put(world.force, (s, 2), at(world.force, (s, 2)) + c)
-            book_work(world.bodies, p, a * (vx - ux) + b * (vy - uy) + c * (vz - uz))
+            book_work(world.bodies, p, a * (vx - ux) + b * (vy - uy) + c * (vz - uz), stored + gone, through)
     stored, gone, through = weigh_bodies(world, world.bodies, memory, x, ahead, T)
     return energy + stored, lost + gone, passed or through
 
@@ -325,7 +325,7 @@ def tell_world(world: World | None, copy_scale: float, ledger: Float) -> None:
     if world is not None:
         for a in range(3):
             ledger[WORLD_FORCE + a] = 0.0
-            for s in range(world.kind.shape[0]):
+            for s in range(world.force.shape[0]):
                 ledger[WORLD_FORCE + a] += copy_scale * at(world.force, (s, a))
 
 
@@ -338,7 +338,7 @@ def deepest_point(world: World, x: Float) -> tuple[float, int]:
         x: displacements from rest, (rows, width) [m].
     """
     most, where = -math.inf, 0
-    for p in range(world.area.shape[0]):
+    for p in range(world.moves):
         if at(world.there, p) == 0.0:
             continue
         ux, uy, uz = _place(world, p, x)
@@ -358,7 +358,7 @@ def settle_world(world: World | None, memory: Float, x: Float) -> float:
     energy = 0.0
     for n in range(world.first, memory.shape[0]):
         put(memory, n, 0.0)
-    for p in range(world.area.shape[0]):
+    for p in range(world.moves):
         if at(world.there, p) == 0.0:
             continue
         ux, uy, uz = _place(world, p, x)

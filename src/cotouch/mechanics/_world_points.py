@@ -8,12 +8,13 @@ import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
-from cotouch.body import Body, CutSkin, Skin, cut_skin
+from cotouch.body import Body, CutSkin, cut_skin
 from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._meeting import Between
 from cotouch.mechanics._meeting_skin import meeting_of, part_of_nodes, thickness_of
 from cotouch.mechanics._shape import NUMBERS, packed
-from cotouch.mechanics._world import Obstacle, World
+from cotouch.mechanics._shape_solid import Solid
+from cotouch.mechanics._world import Obstacle, World, solids_of
 
 Int = npt.NDArray[np.int32]
 Corners: TypeAlias = npt.NDArray[np.int64]
@@ -49,31 +50,48 @@ def world_of(
         what = f"has {body.dimension} axes" if body.dimension != 3 else "has no skin"
         raise UnsupportedError(f"the body {what}; obstacles are met by a skin, so take a body from a mesh or a lattice")
     origin = body.rest.mean(axis=0)
-    thin = [one.shape.thickness() for one in obstacles]
-    thin += [] if between is None else [_BODY * thickness_of(part) for part in body.parts]
+    solids = solids_of(obstacles, body)
+    shaped = [(one, one.shape) for one in obstacles if not isinstance(one.shape, Solid)]
+    still = [one.shape for one in solids if isinstance(one.shape, Solid)]
+    thin = [shape.thickness() for _, shape in shaped]
+    if between is not None:
+        thin += [_BODY * thickness_of(one.vertices) for one in (*(part.skin() for part in body.parts), *still)]
     faces = cut_skin(body) if body.cut_count else None
-    places, area, carry, parted = _points(body, body.skin if faces is None else faces.skin, faces, min(thin))
+    skin = body.skin if faces is None else faces.skin
+    weight = sp.csr_array(skin.interpolation(body.nodes))
+    places, area, carry, parted = _points(skin.vertices, skin.triangles, weight, faces, min(thin))
+    of, moves = np.zeros(places.shape[0], dtype=np.int32), places.shape[0]
     if between is not None:  # point after point of each body
         of = part_of_nodes(body)[carry.indices[carry.indptr[:-1]]]
         sort = np.argsort(of, kind="stable")
-        places, area, carry, parted = places[sort], area[sort], sp.csr_array(carry[sort]), sp.csr_array(parted[sort])
+        of, places, area = of[sort], places[sort], area[sort]
+        carry, parted = sp.csr_array(carry[sort]), sp.csr_array(parted[sort])
+    for number, solid in enumerate(still, start=len(body.parts)):
+        bare = sp.csr_array((solid.vertices.shape[0], body.nodes))
+        more, beside, _, _ = _points(solid.vertices, solid.triangles, bare, None, min(thin))
+        places, area = np.concatenate([places, more]), np.concatenate([area, beside])
+        carry, parted = _with_empty(carry, more.shape[0]), _with_empty(parted, more.shape[0])
+        of = np.append(of, np.full(more.shape[0], number, dtype=np.int32))
     if order is not None:
         carry = sp.csr_array(carry[:, order])
     carry.sort_indices()
     rest = np.zeros((places.shape[0], 4))
     rest[:, :3] = places - origin
-    shapes = [packed(one.shape, (float(origin[0]), float(origin[1]), float(origin[2]))) for one in obstacles]
+    shapes = [packed(shape, (float(origin[0]), float(origin[1]), float(origin[2]))) for _, shape in shaped]
     numbers = np.zeros((len(shapes), NUMBERS))
     for s, (_, own) in enumerate(shapes):
         numbers[s, : len(own)] = own
-    stiffness = np.array([one.stiffness for one in obstacles])
+    stiffness = np.array([one.stiffness for one, _ in shaped])
     away = _ROUNDING * np.finfo(np.float64).eps * float(np.abs(rest).max())
     slots = len(shapes) + (between is not None)
     count = slots * places.shape[0]
     # The inner faces are not there yet.
-    hidden = np.zeros(0, dtype=np.int32) if faces is None else (faces.beyond >= 0).astype(np.int32)
-    shown = np.ones(places.shape[0]) if faces is None else np.where(parted @ hidden > 0.0, 0.0, 1.0)
-    firm = float(stiffness.sum()) + (0.0 if between is None else between.stiffness)
+    hidden, shown = np.zeros(0, dtype=np.int32), np.ones(places.shape[0])
+    if faces is not None:
+        inner = (faces.beyond >= 0).astype(np.int32)
+        hidden = np.append(inner, np.zeros(sum(one.triangles.shape[0] for one in still), dtype=np.int32))
+        shown = np.where(parted @ inner > 0.0, 0.0, 1.0)
+    firm = float(sum(one.stiffness for one in obstacles)) + (0.0 if between is None else between.stiffness)
     world = World(
         first=first,
         pointer=carry.indptr.astype(np.int32),
@@ -81,18 +99,19 @@ def world_of(
         share=np.ascontiguousarray(carry.data, dtype=np.float64),
         rest=rest,
         area=area,
+        moves=moves,
         kind=np.array([kind for kind, _ in shapes], dtype=np.int32),
         numbers=numbers,
         stiffness=stiffness,
-        loss=np.array([one.loss for one in obstacles]),
-        friction=np.array([one.friction for one in obstacles]),
-        kinetic=np.array([one.friction if one.kinetic is None else one.kinetic for one in obstacles]),
+        loss=np.array([one.loss for one, _ in shaped]),
+        friction=np.array([one.friction for one, _ in shaped]),
+        kinetic=np.array([one.friction if one.kinetic is None else one.kinetic for one, _ in shaped]),
         grain=away * away * firm * float(area[shown > 0.0].sum()),
         hold=np.zeros(body.nodes),
         couple=np.zeros((3 * body.nodes, 3 * body.nodes) if body.rigid else (0, 0)),
         told=np.zeros((count, 4)),
         tried=np.zeros((body.nodes, 4)),
-        force=np.zeros((len(shapes), 4)),
+        force=np.zeros((len(obstacles), 4)),
         offset=-1 if faces is None else first + 8 * count,
         whole=shown,
         there=shown.copy(),
@@ -101,15 +120,20 @@ def world_of(
         part_of=np.ascontiguousarray(parted.data, dtype=np.float64),
         hidden=hidden,
         gone=np.zeros(1),
-        bodies=None if between is None else meeting_of(body, between, carry, order, faces, hidden),
+        bodies=None if between is None else meeting_of(body, between, solids, carry, of, order, faces, hidden),
     )
     return world, (8 if faces is None else 10) * count
 
 
+def _with_empty(matrix: sp.csr_array, rows: int) -> sp.csr_array:
+    """A matrix with so many rows more, in which nothing is."""
+    return sp.csr_array(sp.vstack([matrix, sp.csr_array((rows, int(matrix.shape[1])))]))
+
+
 def _points(
-    body: Body, skin: Skin, faces: CutSkin | None, thinnest: float
+    vertices: Float, triangles: Int, carry: sp.csr_array, faces: CutSkin | None, thinnest: float
 ) -> tuple[Float, Float, sp.csr_array, sp.csr_array]:
-    """Vertices of the skin, its triangles halved until no obstacle fits between: places, areas, and what carries them.
+    """Vertices of a skin, its triangles halved until no obstacle fits between: places, areas, and what carries them.
 
     Of what can be cut also what share of each point each triangle of the skin makes, (P, F). There only what comes and
     goes together shares a point: what is cut away flies anywhere, and would take the point along.
@@ -117,16 +141,7 @@ def _points(
     Raises:
         BodyError: there would be too many.
     """
-    corners, count = np.asarray(skin.triangles, dtype=np.int64), skin.vertices.shape[0]
-    carry = sp.csr_array(
-        (
-            np.asarray(skin.weights, dtype=np.float64).ravel(),
-            np.asarray(skin.nodes).ravel(),
-            np.arange(0, skin.nodes.size + 1, int(skin.nodes.shape[1])),
-        ),
-        shape=(count, body.nodes),
-    )
-    places = np.asarray(skin.vertices, dtype=np.float64)[:, :3]
+    corners, places = np.asarray(triangles, dtype=np.int64), np.asarray(vertices, dtype=np.float64)[:, :3]
     origin: Corners = np.arange(corners.shape[0], dtype=np.int64)
     longest = float(np.linalg.norm(places[corners] - places[np.roll(corners, -1, axis=1)], axis=2).max())
     while longest > _APART * thinnest:

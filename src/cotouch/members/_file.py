@@ -10,7 +10,7 @@ import numpy as np
 from pydantic import Field, ValidationError, model_validator
 
 from cotouch.errors import ScenarioError, SessionError
-from cotouch.files import read_bytes, read_text, table_of, toml
+from cotouch.files import list_of, read_bytes, read_text, table_of, toml
 from cotouch.members._device_table import DeviceTable
 from cotouch.members._law_check import check_codec, check_law, check_live
 from cotouch.network import Network
@@ -131,7 +131,7 @@ class SessionFile:
 
     @classmethod
     def read(cls, path: str | Path, *, law: str | None = None) -> "SessionFile":
-        """Reads a session from a TOML file, and the mesh that it names.
+        """Reads a session from a TOML file, and the meshes that it names.
 
         Args:
             path: of the file.
@@ -161,11 +161,16 @@ class SessionFile:
         if law is not None:
             check_live(law, "--law")
             _take_law(tables, law)
-        name = _mesh(tables)
         files: dict[str, bytes] = {}
-        if name is not None:
-            mesh = (folder or Path()) / name
-            files[PurePosixPath(name).name] = read_bytes(mesh, "mesh", SessionError, MOST_BYTES)
+        named: dict[str, str] = {}
+        for table in _with_mesh(tables):
+            name = PurePosixPath(table["file"]).name
+            if named.setdefault(name, table["file"]) != table["file"]:
+                raise SessionError(
+                    f'{source} names "{named[name]}" and "{table["file"]}"; they travel without their folders, so give '
+                    "them different names"
+                )
+            files[name] = read_bytes((folder or Path()) / table["file"], "mesh", SessionError, MOST_BYTES)
         scenario, options = _made(tables, source, folder)
         if "law" not in tables.get("synchronisation", {}):
             law = scenario.law[0]  # other versions may have another default
@@ -177,7 +182,7 @@ class SessionFile:
         }
         content = json.dumps(described, sort_keys=True).encode()
         if len(content) + sum(map(len, files.values())) > MOST_BYTES:
-            raise SessionError(f"{source} and its mesh are larger than {MOST_BYTES >> 20} MB; make the mesh coarser")
+            raise SessionError(f"{source} and its meshes are larger than {MOST_BYTES >> 20} MB; make the mesh coarser")
         return cls(scenario, options, content, files)
 
     @classmethod
@@ -205,9 +210,8 @@ class SessionFile:
         tables = _parsed(described["text"], "the session")
         if described["law"] is not None:
             _take_law(tables, described["law"])
-        name = _mesh(tables)
-        if name is not None:
-            tables["body"]["file"] = PurePosixPath(name).name
+        for table in _with_mesh(tables):
+            table["file"] = PurePosixPath(table["file"]).name
         scenario, options = _made(tables, "the session", folder)
         return cls(scenario, options, content, files)
 
@@ -278,9 +282,12 @@ def _take_law(tables: dict[str, Any], law: str) -> None:
     tables["synchronisation"] = {**given, "law": law} if isinstance(given, dict) else given
 
 
-def _mesh(tables: dict[str, Any]) -> str | None:
-    file = (table_of(tables.get("body")) or {}).get("file")
-    return file if isinstance(file, str) else None
+def _with_mesh(tables: dict[str, Any]) -> list[dict[str, Any]]:
+    """The tables that name a mesh: of a body, of each of several, of what stands still."""
+    around = list_of((table_of(tables.get("world")) or {}).get("meshes"))
+    given = [tables.get("body"), *(list_of(tables.get("bodies")) or ()), *(around or ())]
+    found = [table for one in given if (table := table_of(one)) is not None]
+    return [table for table in found if isinstance(table.get("file"), str)]
 
 
 def _made(tables: dict[str, Any], source: str, folder: Path | None) -> tuple[Scenario, SessionTable]:
@@ -304,8 +311,8 @@ def _made(tables: dict[str, Any], source: str, folder: Path | None) -> tuple[Sce
         tables["network"] = Network.from_table(tables["network"], source=source)
     else:
         raise SessionError(f"{source} has neither session.users nor [network]; give one of them")
-    if folder is not None and (name := _mesh(tables)) is not None:
-        tables["body"] = {**tables["body"], "file": str(folder / name)}
+    for table in _with_mesh(tables) if folder is not None else ():
+        table["file"] = str(folder / table["file"])
     scenario = Scenario.make(source=source, **tables)
     _live(scenario, source)
     check_codec(scenario, options.model_dump(exclude_unset=True), source)

@@ -16,7 +16,7 @@ from cotouch.members._file import SessionFile
 from cotouch.members._live_law import LiveLaw
 from cotouch.peer import ContentForm
 from cotouch.samples import Layout
-from cotouch.scenario import Scenario
+from cotouch.scenario import Scenario, colours_of
 
 _PROBES = 6
 _LAW_PROBES = 4
@@ -104,6 +104,11 @@ class SharedModel:
     def shapes(self) -> tuple[Shape, ...]:
         """Of what stands still around the object."""
         return tuple(obstacle.shape for obstacle in self.scenario.world.obstacles())
+
+    @property
+    def colours(self) -> tuple[str | None, ...]:
+        """Of each of several bodies, as "#rrggbb"; None: one of its own."""
+        return colours_of(self.scenario.bodies)
 
     def model(self, copies: int) -> Model:
         """The body's model as one of so many copies."""

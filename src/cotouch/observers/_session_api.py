@@ -34,6 +34,7 @@ class Scene:
         invitation: with which others take part; None if this stage does not give it away.
         stiffness: of a hand, unless a pointer says another [N/m].
         shapes: of what stands still around the object.
+        colours: of each of several bodies, as "#rrggbb"; None: one of its own.
     """
 
     title: str
@@ -44,6 +45,7 @@ class Scene:
     invitation: str | None = None
     stiffness: float = 100.0
     shapes: tuple[Shape, ...] = ()
+    colours: tuple[str | None, ...] = ()
 
 
 @final

@@ -13,6 +13,7 @@ from cotouch.body import Body, Material, Skin, SumOfSquares
 from cotouch.errors import BodyError
 from cotouch.recording._outside import Outside
 from cotouch.recording._parts import parts_arrays, parts_of_arrays
+from cotouch.recording._solids import NAMES, solid_arrays, solids_of_arrays
 
 if TYPE_CHECKING:  # reading a recording needs no kernels
     from cotouch.mechanics import Between, Cutting, Model, Obstacle
@@ -34,7 +35,8 @@ class RecordedMaterial:
     Attributes:
         body: with its material.
         material: of it.
-        world: what stands around it, by name: `kind` (S,), `shape` (S, 13) and `law` (S, 4); empty: nothing does.
+        world: what stands around it, by name: `kind` (S,), `shape` (S, 13) and `law` (S, 4), and those of
+            `solid_arrays`; empty: nothing does.
         between: what its parts do to each other, of several bodies.
     """
 
@@ -58,19 +60,23 @@ class RecordedMaterial:
         Args:
             model: of the session.
         """
-        from cotouch.mechanics import SHAPES
+        from cotouch.mechanics import SHAPES, Solid
 
         obstacles, world = model.obstacles, {}
         if obstacles:
             shapes = np.zeros((len(obstacles), _SHAPE))
+            solids: list[Solid] = []
             for row, obstacle in zip(shapes, obstacles, strict=True):
+                if isinstance(obstacle.shape, Solid):
+                    solids.append(obstacle.shape)
+                    continue
                 numbers = np.concatenate([np.ravel(values) for values in obstacle.shape])
                 row[: numbers.size] = numbers
             laws = [
                 [o.stiffness, o.loss, o.friction, o.friction if o.kinetic is None else o.kinetic] for o in obstacles
             ]
-            kind = np.array([SHAPES.index(type(o.shape)) for o in obstacles])
-            world = {"kind": kind, "shape": shapes, "law": np.array(laws)}
+            kind = np.array([(*SHAPES, Solid).index(type(o.shape)) for o in obstacles])
+            world = {"kind": kind, "shape": shapes, "law": np.array(laws), **solid_arrays(solids)}
         return cls(model.body, world, model.between)
 
     def obstacles(self) -> "list[Obstacle]":
@@ -84,11 +90,13 @@ class RecordedMaterial:
         from cotouch.mechanics import SHAPES, Obstacle, shape_of
 
         made: list[Obstacle] = []
+        solids = solids_of_arrays(self.world)
         for kind, shape, law in zip(*(self.world[name] for name in ("kind", "shape", "law")), strict=True):
-            if not 0 <= int(kind) < len(SHAPES):
+            if not 0 <= int(kind) < len(SHAPES) and not (int(kind) == len(SHAPES) and solids):
                 raise BodyError(f"the recording has an obstacle of kind {kind}; there are 0 to {len(SHAPES) - 1}")
             numbers = dict(zip(_LAW, map(float, law), strict=True))
-            made.append(Obstacle(shape=shape_of(int(kind), shape), **numbers))
+            given = shape_of(int(kind), shape) if int(kind) < len(SHAPES) else solids.pop(0)
+            made.append(Obstacle(shape=given, **numbers))
         return made
 
     def arrays(self) -> dict[str, Any]:
@@ -225,7 +233,7 @@ class RecordedMaterial:
         if world is None:
             return told
         memory, found, known, held = made.unturned(), Outside(*map(np.array, told)), False, np.nan
-        slick = not np.any(world.friction) and (world.bodies is None or world.bodies.friction == 0.0)
+        slick = not np.any(world.friction) and (world.bodies is None or not np.any(world.bodies.friction))
         cutting = cutting_of(made)
         for step in range(T.size):
             x, ahead = (made.to_rows(field[step]) for field in (start, after))
@@ -258,8 +266,10 @@ class RecordedMaterial:
         world = None if made.force is None else made.force.world
         if world is None:
             return 0.0
-        between = 0.0 if self.between is None else self.between.stiffness
-        return float((world.stiffness.sum() + between) * world.area.sum())
+        firm = sum(one.stiffness for one in self.obstacles()) + (
+            0.0 if self.between is None else self.between.stiffness
+        )
+        return float(firm * world.area[: world.moves].sum())
 
     def _made(self) -> "Model":
         from cotouch.mechanics import model
@@ -308,7 +318,11 @@ def _world_of(arrays: Mapping[str, Any]) -> dict[str, Any]:
     extents = [values.shape for values in world.values()]
     if extents != [extents[0], (*extents[0], _SHAPE), (*extents[0], len(_LAW))] or len(extents[0]) != 1:
         raise ValueError(f"what stands around the body is told by arrays of {extents}")
-    return world
+    return world | {name: np.asarray(arrays[_PREFIX + _WORLD + name]) for name in NAMES if _has(arrays, name)}
+
+
+def _has(arrays: Mapping[str, Any], name: str) -> bool:
+    return _PREFIX + _WORLD + name in arrays
 
 
 def _number(said: Any) -> float | Float:

@@ -1,5 +1,6 @@
 """What a run or a session is asked for: tables read from a file, and the hands and tools that follow from them."""
 
+from cotouch.scenario._bodies_table import colours_of
 from cotouch.scenario._body_tables import FileTable
 from cotouch.scenario._channel import Channel
 from cotouch.scenario._hands import Hands, grip, ports_of
@@ -58,6 +59,7 @@ __all__ = [
     "after_step_alone",
     "before_step",
     "before_step_alone",
+    "colours_of",
     "grip",
     "keep_tools",
     "makes_tree",

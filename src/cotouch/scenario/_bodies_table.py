@@ -1,5 +1,6 @@
 """The tables of several bodies: each of them, where it is, and what they do to each other."""
 
+import re
 from collections.abc import Mapping
 from typing import Annotated, Any, Self, cast, final
 
@@ -12,7 +13,8 @@ from cotouch.scenario._body_tables import BodySource, FileTable
 from cotouch.scenario._tables import MeetingTable, Number, Place, Table
 
 _MOST = 64
-_OWN = ("name", "at", "turn", "copies", "step")
+_OWN = ("name", "at", "turn", "copies", "step", "color")
+_COLOR = re.compile(r"#[0-9a-fA-F]{6}")
 
 
 @final
@@ -25,6 +27,7 @@ class PartTable(Table):
         turn: how it is turned about that middle: along the axis of turning, as long as the angle [rad].
         copies: how many of it there are.
         step: from one copy to the next [m].
+        color: in pictures, as "#rrggbb"; by default each body has one of its own.
     """
 
     name: str
@@ -32,6 +35,7 @@ class PartTable(Table):
     turn: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
     copies: Annotated[Number, Field(le=_MOST)] = 1
     step: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
+    color: str | None = None
     body: BodySource
 
     @model_validator(mode="before")
@@ -52,6 +56,8 @@ class PartTable(Table):
 
     @model_validator(mode="after")
     def _after(self) -> Self:
+        if self.color is not None and not _COLOR.fullmatch(self.color):
+            raise ValueError(f'color is "{self.color}"; it must be red, green and blue as "#rrggbb", such as "#d8be98"')
         if self.copies > 1 and not any(self.step):
             raise ValueError(f"copies is {self.copies}, but step is missing; it must lead from one copy to the next")
         if isinstance(self.body, FileTable) and self.body.modes is not None:
@@ -77,6 +83,15 @@ class PartTable(Table):
 
 
 Parts = Annotated[list[PartTable], Field(max_length=_MOST)]
+
+
+def colours_of(tables: list[PartTable]) -> tuple[str | None, ...]:
+    """The colour of each body, as "#rrggbb"; None: its own by default.
+
+    Args:
+        tables: of the bodies.
+    """
+    return tuple(table.color for table in tables for _ in range(table.copies))
 
 
 def build_bodies(tables: list[PartTable]) -> Body:

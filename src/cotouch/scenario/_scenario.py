@@ -140,11 +140,9 @@ class Scenario(Table):
             raise ScenarioError(f"{source} has no [network] table; it needs one with users, spring and delay")
         table["network"] = Network.from_table(table["network"], source=source)
         if folder is not None:
-            _rooted(table, "body", folder)
-            for part in table.get("bodies", []):
-                _rooted({"body": part}, "body", folder)
-            _rooted(table.get("channel"), "trace", folder)
-            _rooted(table.get("contact"), "texture", folder)
+            inner = (("world", "meshes"), ("channel", "trace"), ("contact", "texture"))
+            for holder, name in ((table, "body"), (table, "bodies"), *((table.get(a), b) for a, b in inner)):
+                _rooted(holder, name, folder)
         return cls.make(source=source, **table)
 
     @classmethod
@@ -202,7 +200,8 @@ class Scenario(Table):
     def files(self) -> tuple[Path, ...]:
         """What it reads besides its own file: a mesh, a trace, a texture."""
         bodies = [self.body, *(part.body for part in self.bodies)]
-        tables = [*(body for body in bodies if isinstance(body, FileTable)), self.channel.trace, self.contact.texture]
+        meshes = (*(body for body in bodies if isinstance(body, FileTable)), *self.world.meshes)
+        tables = (*meshes, self.channel.trace, self.contact.texture)
         return tuple(Path(table.file) for table in tables if table is not None and table.file is not None)
 
     def trace(self) -> Trace | None:
@@ -234,7 +233,7 @@ class Scenario(Table):
         if self.bodies:
             return build_bodies(self.bodies)
         alone = self.body if isinstance(self.body, Body) else self.body.build()
-        return together([Placed(body=alone, name="body")]) if self.between.self_contact else alone
+        return together([Placed(body=alone, name="body")]) if self.between.self_contact or self.world.meshes else alone
 
     def _places(self, body: Body) -> list[list[float]]:
         """Where hands hold a rigid body besides its nodes and its skin's vertices."""
@@ -351,7 +350,7 @@ class Scenario(Table):
                 tables[name] = value.model_dump(exclude_unset=True) if isinstance(value, Table) else value
         if isinstance(self.body, FileTable):
             tables["body"]["file"] = str(Path(self.body.file).resolve())
-        for table in tables.get("bodies", []):
+        for table in (*tables.get("bodies", []), *tables.get("world", {}).get("meshes", [])):
             if "file" in table:
                 table["file"] = str(Path(table["file"]).resolve())
         return toml_text({name: table for name, table in tables.items() if table not in ({}, [], "")})
@@ -393,8 +392,9 @@ class Scenario(Table):
 
 
 def _rooted(holder: Any, name: str, folder: Path) -> None:
-    """Makes the file that a table names relative to a folder."""
-    tables = table_of(holder)
-    named = None if tables is None else table_of(tables.get(name))
-    if tables is not None and named is not None and isinstance(named.get("file"), str):
-        tables[name] = {**named, "file": str(folder / named["file"])}
+    """Makes files relative to a folder that a table names, or each of a list of tables."""
+    given = (table_of(holder) or {}).get(name)
+    for one in list_of(given) or [given]:
+        table = table_of(one)
+        if table is not None and isinstance(table.get("file"), str):
+            table["file"] = str(folder / table["file"])

@@ -1,15 +1,22 @@
-"""The table of a scenario for what is around the body: gravity, planes, boxes, plates with a hole."""
+"""The table of a scenario for what is around the body: gravity, planes, boxes, plates with a hole, meshes."""
 
 from collections.abc import Sequence
+from functools import lru_cache
+from pathlib import Path
 from typing import Annotated, final
 
 import numpy as np
+import numpy.typing as npt
 from pydantic import Field, FiniteFloat
 
 from cotouch.arrays import Float
+from cotouch.body import Unit, closed_surface, turning
 from cotouch.errors import ScenarioError
-from cotouch.mechanics import Box, Model, Obstacle, Plane, Plate, Shape, World, deepest_between, deepest_point
+from cotouch.mechanics import Box, Model, Obstacle, Plane, Plate, Shape, Solid, World, deepest_between, deepest_point
+from cotouch.scenario._overlap import overlap
 from cotouch.scenario._tables import MeetingTable, NonNegative, Place, Positive, Table
+
+Int = npt.NDArray[np.int32]
 
 _MOST = 16
 # A copy may begin as deep in an obstacle as this share of its size.
@@ -17,6 +24,25 @@ _DEEP = 0.1
 # And bodies as deep in each other as this share of the smaller one's.
 _INSIDE = 0.02
 _ORIGIN = [0.0, 0.0, 0.0]
+# A box of side 2, and its triangles.
+_CORNERS = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
+_FACES = np.array(
+    [
+        [0, 1, 3],
+        [0, 3, 2],
+        [4, 6, 7],
+        [4, 7, 5],
+        [0, 4, 5],
+        [0, 5, 1],
+        [2, 3, 7],
+        [2, 7, 6],
+        [0, 2, 6],
+        [0, 6, 4],
+        [1, 5, 7],
+        [1, 7, 3],
+    ],
+    dtype=np.int32,
+)
 
 
 class _ObstacleTable(MeetingTable):
@@ -96,6 +122,43 @@ class PlateTable(_ObstacleTable):
 
 
 @final
+class MeshTable(_ObstacleTable):
+    """What a closed surface in a file encloses.
+
+    Attributes:
+        file: STL, OBJ, PLY, OFF or GLB; relative to the scenario.
+        unit: of the file: "m", "mm", "cm", "in"; only GLB has one by itself.
+        scale: how many times as large it is.
+        centre: where the middle of its extents comes to; by default it stays where it is [m].
+        turn: how it is turned about that middle: along the axis of turning, as long as the angle [rad].
+        most_triangles: refuse files with more.
+    """
+
+    file: str
+    unit: Unit | None = None
+    scale: Positive = 1.0
+    centre: Place | None = None
+    turn: Place = Field(default_factory=lambda: [*_ORIGIN])
+    most_triangles: Annotated[int, Field(ge=4, le=200_000)] = 20_000
+
+    def _shape(self) -> Shape:
+        path = Path(self.file)
+        changed = path.stat().st_mtime_ns if path.is_file() else 0
+        vertices, triangles = _surface(self.file, self.unit, self.most_triangles, changed)
+        middle = 0.5 * (vertices.min(axis=0) + vertices.max(axis=0))
+        turned = self.scale * (vertices - middle) @ turning(self.turn).T
+        return Solid(turned + (middle if self.centre is None else np.array(self.centre)), triangles)
+
+
+@lru_cache(maxsize=_MOST)
+def _surface(file: str, unit: Unit | None, most: int, changed: int) -> tuple[Float, Int]:
+    """A closed surface, read once; `changed` says when the file was written last."""
+    del changed
+    vertices, triangles, _ = closed_surface(file, unit=unit, most_triangles=most)
+    return vertices, triangles
+
+
+@final
 class WorldTable(Table):
     """What is around the body and does not move.
 
@@ -104,6 +167,7 @@ class WorldTable(Table):
         planes: half-spaces that the body's skin meets.
         boxes: boxes that it meets.
         plates: boxes with a hole through each.
+        meshes: what surfaces in files enclose.
     """
 
     gravity: Place | None = None
@@ -111,9 +175,11 @@ class WorldTable(Table):
     boxes: Annotated[list[BoxTable], Field(max_length=_MOST)] = Field(default_factory=list[BoxTable])
     plates: Annotated[list[PlateTable], Field(max_length=_MOST)] = Field(default_factory=list[PlateTable])
 
+    meshes: Annotated[list[MeshTable], Field(max_length=_MOST)] = Field(default_factory=list[MeshTable])
+
     def obstacles(self) -> list[Obstacle]:
-        """All of them: planes, boxes, plates."""
-        return [table.made() for table in (*self.planes, *self.boxes, *self.plates)]
+        """All of them: planes, boxes, plates, meshes."""
+        return [table.made() for table in (*self.planes, *self.boxes, *self.plates, *self.meshes)]
 
     def name(self, number: int) -> str:
         """How the file names one of `obstacles`.
@@ -121,7 +187,8 @@ class WorldTable(Table):
         Args:
             number: from 0.
         """
-        for name, tables in (("planes", self.planes), ("boxes", self.boxes), ("plates", self.plates)):
+        kinds = (("planes", self.planes), ("boxes", self.boxes), ("plates", self.plates), ("meshes", self.meshes))
+        for name, tables in kinds:
             if number < len(tables):
                 return f"world.{name}[{number + 1}]"
             number -= len(tables)
@@ -141,29 +208,69 @@ class WorldTable(Table):
         if world is None:
             return
         if world.bodies is not None:
-            _refuse_inside(ready, world, position)
-        if not world.kind.size:
-            return
+            _refuse_inside(ready, world, position, [self.name(world.kind.size + k) for k in range(len(self.meshes))])
         size = float(np.ptp(ready.body.rest, axis=0).max())
-        for i, field in enumerate(position):
+        for i, field in enumerate(position if world.kind.size else ()):
             deep, s = deepest_point(world, ready.to_rows(field))
             if deep > _DEEP * size:
                 raise ScenarioError(
                     f"{self.name(s)}: the copy of user {i + 1} begins {deep:.3g} m deep in it, more than a tenth "
                     "of its own size; move one of them"
                 )
+        for i, field in enumerate(position):
+            if i == 0 or not np.array_equal(field, position[0]):
+                self._refuse_within(ready, i, field)
+
+    def _refuse_within(self, ready: Model, user: int, field: Float) -> None:
+        """Refuses a copy with a body that encloses an obstacle, or is in the place of one or of another body."""
+        skin, parts = ready.body.skin, ready.body.parts
+        assert skin is not None
+        places, ends = skin.vertices + skin.carried(field), np.array([skin.vertices.shape[0]])
+        if parts:
+            ends = np.cumsum([part.skin().vertices.shape[0] for part in parts])
+        names = [f'"{part.name}"' for part in parts] or ["the body"]
+        corners, things = skin.triangles, list[tuple[str, tuple[Float, Int]]]()
+        for name, begin, end in zip(names, [0, *ends[:-1]], ends, strict=True):
+            own = corners[(corners >= begin).all(axis=1) & (corners < end).all(axis=1)] - begin
+            things.append((name, (places[begin:end], own.astype(np.int32))))
+        still = [(self.name(k), found) for k, one in enumerate(self.obstacles()) if (found := _surface_of(one.shape))]
+        for k, (name, own) in enumerate(things):
+            size = float(np.ptp(own[0], axis=0).max())
+            for other, beside in (*still, *things[:k]):
+                deep = overlap(own, beside)
+                if deep > _INSIDE * min(size, float(np.ptp(beside[0], axis=0).max())):
+                    raise ScenarioError(
+                        f"{other} and {name} are in one place in the copy of user {user + 1}, {deep:.3g} m deep; move "
+                        "one of them"
+                    )
 
 
-def _refuse_inside(ready: Model, world: World, position: Float) -> None:
-    """Refuses copies in which bodies begin in each other."""
+def _surface_of(shape: Shape) -> tuple[Float, Int] | None:
+    """The closed surface of a box or a solid; None of others."""
+    if isinstance(shape, Solid):
+        return shape.vertices, shape.triangles
+    if not isinstance(shape, Box):
+        return None
+    corners = 0.5 * np.array(shape.size) * _CORNERS
+    return corners @ turning(shape.turn).T + np.array(shape.centre), _FACES
+
+
+def _refuse_inside(ready: Model, world: World, position: Float, solids: Sequence[str]) -> None:
+    """Refuses copies in which bodies begin in each other, or in a solid."""
     assert world.bodies is not None
     parts = ready.body.parts
     for i, field in enumerate(position):
         deep, one, two = deepest_between(world, world.bodies, ready.to_rows(field))
-        size = min(float(np.ptp(parts[b].body.rest, axis=0).max()) for b in (one, two))
+        own = [b for b in (one, two) if b < len(parts)]
+        size = min(float(np.ptp(parts[b].skin().vertices, axis=0).max()) for b in own)
         if deep <= _INSIDE * size:
             continue
         who = f"in the copy of user {i + 1}, more than {_INSIDE:g} of"
+        if len(own) == 1:
+            raise ScenarioError(
+                f'{solids[max(one, two) - len(parts)]}: "{parts[own[0]].name}" begins {deep:.3g} m deep in it {who} '
+                "its own size; move one of them"
+            )
         if one == two:
             name = parts[one].name
             raise ScenarioError(

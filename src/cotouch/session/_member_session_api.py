@@ -60,7 +60,7 @@ class MemberSessionApi(SteeredMembers):
         super().__init__(session, replica.body, mailboxes, [name])
         self.watch = watch
         self._name, self._invitation = name, invitation.encode()
-        self._scenario, self._shapes = replica.scenario, replica.shapes
+        self._scenario, self._shapes, self._colours = replica.scenario, replica.shapes, replica.colours
         self.over = False
         self._left: tuple[int, str] | None = None
         self.member = MemberProcess(
@@ -119,6 +119,7 @@ class MemberSessionApi(SteeredMembers):
             invitation=self._invitation,
             stiffness=usual_stiffness(self._scenario, slot or 0),
             shapes=self._shapes,
+            colours=self._colours,
         )
 
     def overview(self) -> Overview:

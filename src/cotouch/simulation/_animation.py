@@ -7,7 +7,7 @@ from html import escape
 from importlib.resources import files
 from pathlib import Path
 from string import Template
-from typing import Final, final
+from typing import Any, Final, final
 
 import numpy as np
 import numpy.typing as npt
@@ -16,7 +16,7 @@ from cotouch import drawing
 from cotouch.body import Skin
 from cotouch.errors import BodyError, InputError, NetworkError
 from cotouch.files import prepare, write
-from cotouch.mechanics import Shape
+from cotouch.mechanics import Shape, Solid, shape_table
 from cotouch.simulation._animation_checks import (
     Float,
     Int,
@@ -157,6 +157,7 @@ class Animation:
         links: pairs of user indices that are joined.
         series: further numbers of every user over time: discrepancy, age, energy residual.
         shapes: what stands still around the object.
+        parts: several bodies, in the order of their vertices; see `cotouch.body.drawn_parts`.
         spans: when each triangle of each copy is there, from and until, (U, t, 2) [s]; by default always.
 
     Raises:
@@ -189,6 +190,7 @@ class Animation:
     links: tuple[tuple[int, int], ...]
     series: tuple[UserSeries, ...]
     shapes: tuple[Shape, ...]
+    parts: tuple[dict[str, Any], ...]
     spans: Single
 
     def __init__(
@@ -208,6 +210,7 @@ class Animation:
         links: Sequence[tuple[int, int]] = (),
         series: Sequence[UserSeries] = (),
         shapes: Sequence[Shape] = (),
+        parts: Sequence[dict[str, Any]] = (),
         spans: npt.ArrayLike | None = None,
     ) -> None:
         names = tuple(users)
@@ -273,8 +276,9 @@ class Animation:
                 f"spans are {size_of(known)}; they must be {len(names)} users x {faces.shape[0]} triangles x 2"
             )
         for shape in shapes:
-            shape.packed((0.0, 0.0, 0.0))  # says what is wrong with it
-        keep_frozen(self, shapes=tuple(shapes), spans=known)
+            if not isinstance(shape, Solid):
+                shape.packed((0.0, 0.0, 0.0))  # says what is wrong with it
+        keep_frozen(self, shapes=tuple(shapes), parts=tuple(parts), spans=known)
 
     def write(self, path: str | Path) -> Path:
         """Writes the page: one file that needs nothing else, whole or not at all.
@@ -330,7 +334,8 @@ class Animation:
             "links": self.links,
             "series": [{"name": entry.name, "unit": entry.unit} for entry in series],
             "peaks": {"displacement": displacement, "difference": difference},
-            "obstacles": [_told(shape) for shape in self.shapes],
+            "parts": self.parts,
+            "obstacles": [shape_table(shape) for shape in self.shapes],
         }
         viewer = files("cotouch.simulation").joinpath("_viewer")
         read = {name: viewer.joinpath(name).read_text(encoding="utf-8") for name in ("index.html", "style.css")}
@@ -364,12 +369,6 @@ class Animation:
             gap = frame - frame.mean(axis=0)
             difference = max(difference, float(np.square(gap).sum(axis=-1).max(initial=0.0)))
         return displacement**0.5, difference**0.5
-
-
-def _told(shape: Shape) -> dict[str, str | list[float]]:
-    """A shape as the page's space knows it."""
-    numbers = {name: np.asarray(value, dtype=np.float64).tolist() for name, value in shape._asdict().items()}
-    return {"kind": type(shape).__name__.lower(), **numbers}
 
 
 def _carried(skin: Skin, field: Single) -> Single:

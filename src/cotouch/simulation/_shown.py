@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.body import Body, CutSkin, cut_skin
+from cotouch.body import Body, CutSkin, cut_skin, drawn_parts
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Shape
 from cotouch.scenario import WorldTable
@@ -68,8 +68,10 @@ def animation(run: "xr.Dataset", body: Body) -> Animation:
     if faces is not None:
         shape = {"skin": faces.skin, "displacement": frames - body.rest.astype(np.float32)}
         shape["spans"] = _spans(run, faces)
+        shape["parts"] = drawn_parts(body, _colours(tables.get("bodies", [])), faces)
     elif body.skin is not None and body.skin.triangles.size:
         shape = {"skin": body.skin, "displacement": frames - body.rest.astype(np.float32)}
+        shape["parts"] = drawn_parts(body, _colours(tables.get("bodies", [])))
     else:
         shape = {"vertices": frames, "rest": body.rest, "edges": _edges(body)}
     return Animation(
@@ -98,6 +100,11 @@ def _spans(run: "xr.Dataset", faces: CutSkin) -> Float:
 
 def _shapes(world: dict[str, Any]) -> list[Shape]:
     return [obstacle.shape for obstacle in WorldTable.model_validate(world).obstacles()]
+
+
+def _colours(bodies: list[dict[str, Any]]) -> list[str | None]:
+    """Of each body; one that was made in Python has its own."""
+    return [one.get("color") for one in bodies for _ in range(one.get("copies", 1))]
 
 
 def _edges(body: Body) -> npt.NDArray[np.int64]:

@@ -8,8 +8,9 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.body import Body, cut_skin, drawn_skin
+from cotouch.body import Body, CutSkin, cut_skin, drawn_parts, drawn_skin
 from cotouch.device import NOTICED_DRAG
+from cotouch.mechanics import shape_table
 from cotouch.members import Status, felt
 from cotouch.observers import CopyView, Overview, Scene
 from cotouch.web._verdict import judged
@@ -31,7 +32,8 @@ def scene_message(scene: Scene, *, version: str, started: str, acts: bool, page:
     body = scene.body
     rest = np.zeros((body.holds, 3), np.float64)
     rest[:, : body.dimension] = body.held_rest
-    skin = drawn_skin(body)
+    faces = cut_skin(body) if body.cut_count else None
+    skin = body.skin if faces is None else faces.skin
     drawn = rest if skin is None else skin.vertices
     low, high = drawn.min(axis=0, initial=np.inf), drawn.max(axis=0, initial=-np.inf)
     centre = 0.5 * (low + high)
@@ -55,9 +57,10 @@ def scene_message(scene: Scene, *, version: str, started: str, acts: bool, page:
             "triangles": _packed(skin.triangles, "<u4"),
             "node": _packed(nodes_of_points(body), "<u4"),
         },
-        "cutting": _cutting(body),
+        "cutting": _cutting(body, faces),
         "edges": None if skin is not None else _packed(_edges(body), "<u4"),
-        "obstacles": [{"kind": type(shape).__name__.lower(), **shape._asdict()} for shape in scene.shapes],
+        "parts": drawn_parts(body, scene.colours, faces),
+        "obstacles": [shape_table(shape) for shape in scene.shapes],
         "radius": float(np.linalg.norm(drawn - centre, axis=1).max(initial=0.0)),
         "centre": centre.tolist(),
         "stiffness": scene.stiffness,
@@ -163,9 +166,8 @@ def _told(view: CopyView | None) -> str | None:
     return "free" if view is None or view.direct else None
 
 
-def _cutting(body: Body) -> dict[str, Any] | None:
+def _cutting(body: Body, faces: CutSkin | None) -> dict[str, Any] | None:
     """What the drawn triangles of a body that can be cut hang on; see `CutSkin`."""
-    faces = cut_skin(body) if body.cut_count else None
     if faces is None:
         return None
     return {
