@@ -51,8 +51,7 @@ def direct(
     lack(op, T, work, lanes)
     for i in range(op.mass.shape[0]):
         store(work.pull, i, load(work.mean, i, lanes), lanes)
-    if force.parts is None:
-        move_whole(op, T, work, lanes)
+    move_whole(op, force.parts, T, work, lanes)
     ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, COARSE), FEW, cap, lanes)
     if force.parts is None:
         add_momentum(op, T, work, lanes)
@@ -114,16 +113,33 @@ def _row(op: Operator, T: float, i: int, couples: bool, work: Workspace) -> floa
 
 
 @part
-def move_whole(op: Operator, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Moves the body as a whole, in `pull`, as its momentum asks; the right-hand side gets what is left for a solve."""
-    left, whole, couples = splat(0.0, lanes), 0.0, _couples(op)
+def move_whole(op: Operator, parts: Parts | None, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
+    """Moves each body as a whole, in `pull`, as its momentum asks; the right-hand side gets what is left for a solve."""
+    couples = _couples(op)
+    if parts is None:
+        left, whole = splat(0.0, lanes), 0.0
+        for i in range(op.mass.shape[0]):
+            left = left + load(work.rhs, i, lanes)
+            whole += _row(op, T, i, couples, work)
+        left = (1.0 / whole) * left
+        for i in range(op.mass.shape[0]):
+            store(work.rhs, i, load(work.rhs, i, lanes) - _row(op, T, i, couples, work) * left, lanes)
+            store(work.pull, i, load(work.pull, i, lanes) + left, lanes)
+        return
+    for b in range(parts.held.shape[0]):
+        for what in range(4):
+            put(parts.sums, (b, what), 0.0)
     for i in range(op.mass.shape[0]):
-        left = left + load(work.rhs, i, lanes)
-        whole += _row(op, T, i, couples, work)
-    left = (1.0 / whole) * left
+        b = at(parts.part, i)
+        put(parts.sums, (b, 0), at(parts.sums, (b, 0)) + _row(op, T, i, couples, work))
+        for a in range(3):
+            put(parts.sums, (b, 1 + a), at(parts.sums, (b, 1 + a)) + at(work.rhs, (i, a)))
     for i in range(op.mass.shape[0]):
-        store(work.rhs, i, load(work.rhs, i, lanes) - _row(op, T, i, couples, work) * left, lanes)
-        store(work.pull, i, load(work.pull, i, lanes) + left, lanes)
+        b, own = at(parts.part, i), _row(op, T, i, couples, work)
+        for a in range(3):
+            goes = at(parts.sums, (b, 1 + a)) / at(parts.sums, (b, 0))
+            put(work.rhs, (i, a), at(work.rhs, (i, a)) - own * goes)
+            put(work.pull, (i, a), at(work.pull, (i, a)) + goes)
 
 
 @part
