@@ -114,7 +114,7 @@ def _row(op: Operator, T: float, i: int, couples: bool, work: Workspace) -> floa
 
 @part
 def move_whole(op: Operator, parts: Parts | None, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Moves each body as a whole, in `pull`, as its momentum asks; the right-hand side gets what is left for a solve."""
+    """Moves each body as a whole, in `pull`, as its momentum asks; the right-hand side gets what is left to solve."""
     couples = _couples(op)
     if parts is None:
         left, whole = splat(0.0, lanes), 0.0

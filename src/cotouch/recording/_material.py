@@ -266,9 +266,9 @@ class RecordedMaterial:
         world = None if made.force is None else made.force.world
         if world is None:
             return 0.0
-        firm = sum(one.stiffness for one in self.obstacles()) + (
-            0.0 if self.between is None else self.between.stiffness
-        )
+        firm = sum(one.stiffness for one in self.obstacles())
+        if self.between is not None and (len(self.body.parts) > 1 or self.between.own):
+            firm += self.between.stiffness
         return float(firm * world.area[: world.moves].sum())
 
     def _made(self) -> "Model":
