@@ -16,7 +16,7 @@ from cotouch.laws import PAID, TANK, End, Facts, Tone, copy, given_power, laws, 
 from cotouch.laws._paid_hand import COUNT, EVERY, KEPT, PAST, TIME, TIMES
 from cotouch.laws._paid_other import A2, DONE, EACH, LOG, LOGGED, M_AGE, M_B, M_K, A, past, place_then, take_over
 from cotouch.scenario import Scenario
-from cotouch.simulation import judge, prepare, run_batch, simulate, with_law
+from cotouch.simulation import judge, prepare, run_batch, run_peers, simulate, with_law
 
 SPRING = 50.0
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -421,23 +421,29 @@ def test_paid_lets_another_block_rest_over_a_longer_way() -> None:
     assert _swing(scenario) < 0.03
 
 
-def _lifted(law: Any, users: int, **tables: Any) -> Any:
-    """Middles of all copies of a block that two fingers press and lift, one each of two users, or both of one."""
-    run = simulate(
-        Scenario.make(
-            network=two(0.005, 10.0) if users == 2 else {"users": ["all"], "spring": [[0.0]], "delay": [[0.0]]},
-            body=BLOCK,
-            world={"gravity": [0.0, 0.0, -9.81], "planes": [{"stiffness": 1e6, "damping": 1.0, "friction": 0.5}]},
-            contact={"law": "stiffening"},
-            steps={"duration": 1.0, "period": 1e-3},
-            synchronisation={"law": law},
-            tools=[_finger(1, -1.0), _finger(users, 1.0)],
-            **tables,
-        )
+def _lifted(law: str, users: int) -> Any:
+    """How far the middles of all copies of a block move that two fingers press and lift, one each of two users, or both
+    of one.
+    """
+    scenario = Scenario.make(
+        network=two(0.005, 10.0) if users == 2 else {"users": ["all"], "spring": [[0.0]], "delay": [[0.0]]},
+        body=BLOCK,
+        world={"gravity": [0.0, 0.0, -9.81], "planes": [{"stiffness": 1e6, "damping": 1.0, "friction": 0.5}]},
+        contact={"law": "stiffening"},
+        steps={"duration": 1.0, "period": 1e-3},
+        synchronisation={"law": law},
+        tools=[_finger(1, -1.0), _finger(users, 1.0)],
     )
-    assert run.attrs["made"] <= run.attrs["law_seed"]
-    assert float(abs(run["residual"]).max()) < 1e-9
-    return run["position"].values[:, :, :, :].mean(axis=2)
+    if law == "spring":  # peers come to the same bits, and the engine would take 20 s to compile
+        told = run_peers(prepare(scenario))
+        assert max(abs(report.residual) for reports in told.reports for report in reports) < 1e-9
+        middle = np.array(told.position)[..., :3].mean(axis=2)
+    else:
+        run = simulate(scenario)
+        assert run.attrs["made"] <= run.attrs["law_seed"]
+        assert float(abs(run["residual"]).max()) < 1e-9
+        middle = run["position"].values.mean(axis=2)
+    return middle - middle[:, :1]
 
 
 def test_to_paid_fingers_that_lift_a_block_between_them_are_felt_by_both() -> None:
@@ -454,9 +460,12 @@ def test_what_paid_may_make_is_a_copys_whatever_its_body() -> None:
     assert seeds == [0.01, 0.01]
 
 
-@pytest.mark.parametrize("number", [3, 30, 41])
+@pytest.mark.parametrize("number", [1, 3, 75])
 def test_paid_makes_no_more_than_its_seed_where_tools_touch(number: int) -> None:
-    """`python -m benchmarks.promises` does so in a thousand."""
+    """On a floor, and held without weight; `python -m benchmarks.promises` does so in a thousand.
+
+    They run by engines that other tests compile, too: one that floats without weight would take 54 s more.
+    """
     run = simulate(touching(number))
     books = run.attrs
     assert float(np.nanmax(np.abs(run["touch_force"].values))) > 0.1

@@ -171,6 +171,7 @@ def test_a_blade_pays_for_the_area_that_it_opens() -> None:
         "hand": {"path": [[0.0, 0, 0, 0], [0.8, 0, 0.09, 0]], "stiffness": 2000, "damping": 20},
     }
     alone = {"network": {"users": ["Ann"], "spring": [[0]], "delay": [[0]]}, "hands": [], "channel": {}}
+    alone["synchronisation"] = {"law": "spring"}  # nobody is linked, and the fixture's engine is compiled
     still = {"body": block, "steps": {"duration": 0.8, "rate": 1000}, "tools": [blade], **alone}
     run, free = (simulate(made(cutting={"toughness": one}, **still)) for one in (toughness, 0.0))
     # Three cubes along y, two along z.
