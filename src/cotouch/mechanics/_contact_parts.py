@@ -17,8 +17,9 @@ from cotouch.mechanics._contact_work import Contact
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._grasp import take
 from cotouch.mechanics._operator import Operator
+from cotouch.mechanics._solve import solve_step
 from cotouch.mechanics._state import Links, Ports, State, Workspace
-from cotouch.mechanics._step import assemble, move, solve_step
+from cotouch.mechanics._step import assemble, move
 from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import Tools
 
@@ -56,7 +57,7 @@ def contact_parts(
         (press_tool, (law, surface, touch, tools, 0, T, T)),
         (draw_tool, (surface, touch, tools, 0, T, T)),
         (first_crossing, (surface, touch, tools, 0, T)),
-        (solve_step, (op, ports, work, T, 1, lanes)),
+        (solve_step, (op, ports, work, T, 0, 1, lanes)),
         (
             balanced,
             (

@@ -7,8 +7,8 @@ from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._direction import FEW, miss
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._operator import Operator, row_product
+from cotouch.mechanics._solve import solve_step
 from cotouch.mechanics._state import ITERATIONS, Ports, Workspace
-from cotouch.mechanics._step import solve_step
 from cotouch.mechanics._vector import load, splat, store, total
 
 _COARSE = 0.01  # of what the last look missed the next may leave so much, where it solves the whole body

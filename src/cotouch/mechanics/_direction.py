@@ -5,8 +5,9 @@ from cotouch.mechanics._force import BodyForce, lean, resist
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Parts
 from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, mixed, row_product
+from cotouch.mechanics._solve import solve_step
 from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
-from cotouch.mechanics._step import assemble, solve_step
+from cotouch.mechanics._step import assemble
 from cotouch.mechanics._vector import at, load, put, splat, store, total
 from cotouch.mechanics._world_force import lean_world, press_world
 

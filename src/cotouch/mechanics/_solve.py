@@ -14,8 +14,10 @@ import math
 import numpy as np
 
 from cotouch.arrays import Float
+from cotouch.mechanics._dense import solve_dense
 from cotouch.mechanics._kernel import inner, kernel
 from cotouch.mechanics._operator import Operator, row_sum
+from cotouch.mechanics._state import Ports, Workspace
 from cotouch.mechanics._vector import at, load, splat, store, total
 
 # Squared residuals below this are the end of motion, not work left to do; they would underflow into 0/0.
@@ -318,3 +320,67 @@ def add_ports(
         for p in range(ports):
             push = push + (np.sqrt(gain[p]) * shape[first + p, i]) * load(small_rhs, p, lanes)
         store(solution, i, load(solution, i, lanes) - (1.0 / at(diagonal, i)) * push, lanes)
+
+
+@inner
+def solve_step(
+    op: Operator, ports: Ports, work: Workspace, tolerance: float, least: int, cap: int, lanes: tuple[int, ...]
+) -> int:
+    families = op.entries.shape[0]
+    if work.dense.shape[0] > 0:
+        solve_dense(op, ports, work)
+        return 0
+    if families == 0:
+        divide(work.diagonal, work.rhs, work.mean, lanes)
+        if ports.shape.shape[0] > 0:
+            add_ports(
+                work.diagonal,
+                ports.shape,
+                ports.first,
+                ports.last,
+                work.port_gain,
+                work.small,
+                work.small_rhs,
+                work.mean,
+                lanes,
+            )
+        return 0
+    values, scale = op.entries[0], work.scale[0]
+    if families > 1:
+        values, scale = work.values, 1.0
+        for e in range(values.shape[0]):
+            value = 0.0
+            for family in range(families):
+                value += work.scale[family] * op.entries[family, e]
+            values[e] = value
+    bound = invert(op, work.scale, work.diagonal, work.inverse)
+    enough = chebyshev_iterations(op, bound, tolerance)
+    if enough > 0:
+        return chebyshev(
+            op,
+            values,
+            scale,
+            work.diagonal,
+            work.inverse,
+            work.rhs,
+            work.mean,
+            bound,
+            min(max(enough, least), cap),
+            lanes,
+        )
+    return conjugate_gradients(
+        op,
+        values,
+        scale,
+        work.diagonal,
+        work.inverse,
+        work.rhs,
+        work.mean,
+        work.residual,
+        work.direction,
+        work.image,
+        tolerance,
+        least,
+        cap,
+        lanes,
+    )
