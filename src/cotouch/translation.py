@@ -36,8 +36,8 @@ class _Numbers:
         return int.from_bytes(os.urandom(8), "little")
 
 
-counted: Any = FunctionIdentity
-counted._unique_ids = _Numbers()
+_identity: Any = FunctionIdentity
+_identity._unique_ids = _Numbers()
 
 
 class _Code(JITCodeLibrary):
