@@ -13,8 +13,25 @@ from tests.laws.scenes import PASSIVE, law_of, two
 
 from cotouch.laboratory import Study, books, impedance, searched, touching, trial
 from cotouch.laws import PAID, TANK, End, Facts, Tone, copy, given_power, laws, register
-from cotouch.laws._paid_hand import COUNT, EVERY, KEPT, PAST, TIME, TIMES
-from cotouch.laws._paid_other import A2, DONE, EACH, LOG, LOGGED, M_AGE, M_B, M_K, A, past, place_then, take_over
+from cotouch.laws._paid_fields import (
+    A2,
+    COUNT,
+    DONE,
+    EACH,
+    EVERY,
+    KEPT,
+    LOG,
+    LOGGED,
+    M_AGE,
+    M_B,
+    M_K,
+    PAST,
+    TIME,
+    TIMES,
+    A,
+)
+from cotouch.laws._paid_other import past, take_over
+from cotouch.laws._paid_rows import between, place_then
 from cotouch.scenario import Scenario
 from cotouch.simulation import judge, prepare, run_batch, run_peers, simulate, with_law
 
@@ -483,7 +500,7 @@ def test_paid_knows_where_what_swings_was_between_what_it_kept() -> None:
     numbers[COUNT], numbers[TIME], numbers[TIMES:] = KEPT, times[-1], times
     end: Any = SimpleNamespace(T=0.0, shared=shared, shared_scalars=numbers)
     for when in (times[0] + 0.0017 * step for step in range(295)):
-        x, v = place_then.py_func(end, *past.py_func(end, when), 0)  # pyright: ignore[reportFunctionMemberAccess]
+        x, v = place_then.py_func(end, between.py_func(*past.py_func(end, when)), 0)  # pyright: ignore[reportFunctionMemberAccess]
         assert x == pytest.approx(np.sin(omega * when), abs=0.005)
         assert v == pytest.approx(omega * np.cos(omega * when), abs=0.03 * omega)
 

@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
-from tests.laws.scenes import AS_LAW, OTHERS, rough
+from tests.laws.scenes import AS_LAW, OTHERS, ROUGH, rough, two
 
+from cotouch.scenario import Scenario
 from cotouch.simulation import prepare, run_batch, run_peers
 
 
@@ -36,3 +37,25 @@ def test_books_balance_whatever_a_law_does(law: str, mode: str) -> None:
     outcome = run_batch(prepare(rough(law, mode=mode, body=True)))
     ticks = outcome.record.ticks
     assert np.abs(ticks[4]).max() <= 1e-12 * np.abs(ticks[:4]).max()
+
+
+@pytest.mark.parametrize("nodes", [1, 3])
+@pytest.mark.parametrize("law", OTHERS)
+def test_a_body_with_three_axes_moves_along_one_as_one_with_that_axis_alone(law: str, nodes: int) -> None:
+    """Laws take four numbers of three axes at a time, and what is left over of one axis one by one."""
+    places: list[np.ndarray] = []
+    for axes in (1, 3):
+        scenario = Scenario.make(
+            network=two(0.02, 50.0),
+            body={"kind": "chain", "nodes": nodes, "dimension": axes},
+            synchronisation={"mode": "freshest", "law": law},
+            channel=ROUGH,
+            steps={"duration": 1.5, "period": 0.004},
+            hands=[
+                {"user": 1, "node": 1, "stiffness": 200.0, "damping": 1.0, "path": [0.05] + [0.0] * (axes - 1)},
+                {"user": 2, "node": nodes, "kind": "force", "path": [0.3] + [0.0] * (axes - 1), "release": 1.1},
+            ],
+        )
+        places.append(run_batch(prepare(scenario)).position[..., 0])
+    assert np.abs(places[0]).max() > 0.01
+    np.testing.assert_allclose(places[1], places[0], atol=1e-11)

@@ -12,6 +12,8 @@ nothing.
 """
 
 from collections.abc import Callable
+from ctypes import PYFUNCTYPE, c_void_p
+from functools import cached_property
 from math import sqrt
 from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias, final
@@ -239,6 +241,11 @@ class Part(types.WrapperAddressProtocol):
         """Of the function, as numba writes it."""
         return _SIGNATURE
 
+    @cached_property
+    def machine_code(self) -> Callable[[int], None]:
+        """What Python calls with the address of an end that was written; it keeps the interpreter to itself."""
+        return PYFUNCTYPE(None, c_void_p)(self.__wrapper_address__())
+
 
 def _compiled(function: Callable[[End], None]) -> Any:
     njit: Any = numba.njit
@@ -249,20 +256,61 @@ def _compiled(function: Callable[[End], None]) -> Any:
     return stamped(compiled) if source.is_file() else compiled
 
 
+@final
+class BoundEnd:
+    """An end that lasts, in memory as a law's machine code reads it: what stays is written once and not in each step.
+
+    Handing over the whole of an end from Python took longer than what a law does with a point.
+    """
+
+    def __init__(self, end: End) -> None:
+        """Writes all of it.
+
+        Args:
+            end: of a link; its arrays of numbers are C-contiguous.
+        """
+        self._words = np.zeros(END_WORDS, dtype=np.int64)
+        self._numbers = self._words.view(np.float64)
+        self._address = int(self._words.ctypes.data)
+        self._held: dict[str, Float] = {}
+        self.write(**end._asdict())
+
+    def write(self, **changed: Any) -> None:
+        """Writes what changed.
+
+        Args:
+            changed: fields of an end by name; of arrays only which one it is, not what is in it.
+        """
+        for name, value in changed.items():
+            place, kind = _PLACES[name], _KINDS[name]
+            if kind is types.float64:
+                self._numbers[place] = value
+            elif not isinstance(kind, types.Array):
+                self._words[place] = value
+            elif self._held.get(name) is not value:
+                assert value.dtype == np.float64, name
+                assert value.flags.c_contiguous, name
+                self._held[name] = value
+                sizes = (value.size,) if kind.ndim == 1 else value.shape
+                self._words[place : place + 1 + kind.ndim] = value.ctypes.data, *sizes
+
+    def run(self, part: Part) -> None:
+        """Calls a half of a law.
+
+        Args:
+            part: of the law.
+        """
+        part.machine_code(self._address)
+
+
 def call(part: Part, end: End) -> None:
-    """Calls a half of a law from Python.
+    """Calls a half of a law once from Python.
 
     Args:
         part: of a law.
         end: of a link.
     """
-    _call(part, end, np.empty(END_WORDS, dtype=np.int64))
-
-
-@kernel
-def _call(part: Part, end: End, words: npt.NDArray[np.int64]) -> None:
-    hand(end, words)
-    part(handed(words))
+    BoundEnd(end).run(part)
 
 
 @inner

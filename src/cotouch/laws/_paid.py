@@ -14,42 +14,38 @@ wave line, passive by itself, lies beside it, or copies whose accounts are dry c
 from math import inf, sqrt
 
 from cotouch.laws._end import End, copy
+from cotouch.laws._helper import helper
 from cotouch.laws._law import FORCE, Facts, Law, Parameter, register
-from cotouch.laws._paid_hand import (
+from cotouch.laws._paid_fields import (
     ACCOUNT,
+    AGE,
+    AHEAD,
     ALL_GRASPED,
     ALL_HANDS,
     ALL_K,
     ALL_P,
     ALL_Q,
     ALL_W,
-    ASKED,
     BACK,
+    BETA,
     BRAKE,
-    DEGREE,
-    KEPT,
-    LEVEL,
-    LONGEST,
-    TIME,
-    TOLD,
-    WISH,
-    X_BEFORE,
-    V,
-    X,
-    book_copy,
-)
-from cotouch.laws._paid_other import (
-    A2,
-    AGE,
     CREDITED,
+    DEGREE,
     E_IN,
     E_OUT,
     EVENLY,
+    FLOOR,
+    FORCE_LIMIT,
+    GD,
     GIVEN,
-    HAND,
+    GK,
     HORIZON,
+    KEPT,
     KNOWN,
+    LEVEL,
+    LINE,
     LOGGED,
+    LONGEST,
     M_AGE,
     M_AS_ONE,
     M_B,
@@ -58,237 +54,214 @@ from cotouch.laws._paid_other import (
     M_GIVEN,
     M_HANDS,
     M_K,
-    M_P,
-    M_Q,
     M_SINCE,
     M_T,
     M_V,
-    M_W,
-    M_WAVE,
     M_WAY,
+    MASS,
     PART_B,
     PART_EPOCH,
     PART_GRASPED,
     PART_HANDS,
     PART_K,
-    PART_P,
-    PART_Q,
-    PART_W,
     RELAY,
-    SLOPE,
+    SEED,
     SPAN,
     STAMP,
     STRETCH,
-    SUM2_THERE,
-    SUM_THERE,
-    W_LAST,
-    WAVE,
+    TIME,
     WAVE_IN,
     WAVE_OUT,
-    WISHED,
-    A,
-    bring,
-    credible,
-    past,
+    WISH,
+    X_BEFORE,
+    V,
+    X,
+)
+from cotouch.laws._paid_hand import book_copy
+from cotouch.laws._paid_other import bring, credible, past, take_over, tell
+from cotouch.laws._paid_rows import (
+    Heard,
+    Then,
+    add_wish,
+    between,
+    bring_hand,
+    pay,
     place_then,
-    take_over,
-    tell,
+    price,
+    push_wave,
+    receive_wave,
+    return_wave,
+    wish,
 )
 
-_SEED, _FLOOR, _BETA, _GK, _GD, _LINE, _MASS, _AHEAD, _FORCE_LIMIT = range(9)
 # So long is seen how a hand's force changes [s].
 _SMOOTH = 0.03
 
 
 def _before(end: End) -> None:
-    T, x, v, own, numbers = end.T, end.position, end.velocity, end.shared, end.shared_scalars
-    kept, got, told, p = end.scalars, end.received, end.received_scalars, end.parameters
+    T, x, own, numbers = end.T, end.position, end.shared, end.shared_scalars
+    kept, told, p = end.scalars, end.received_scalars, end.parameters
     size, heard = x.shape[0], end.sample_index >= 0
     if end.first:
         if end.step == 0:
             copy(own[X], x)
             copy(own[X_BEFORE], x)
         for i in range(size):
-            own[WISH, i] = own[ALL_W, i] = own[ALL_P, i] = own[ALL_Q, i] = 0.0
+            own[WISH, i] = 0.0
+        if p[RELAY] > 0.0:
+            for i in range(size):
+                own[ALL_W, i] = own[ALL_P, i] = own[ALL_Q, i] = 0.0
         numbers[LEVEL] = 0.0
         numbers[ALL_GRASPED] = numbers[LONGEST] = numbers[BACK] = numbers[DEGREE] = 0.0
         for name in range(ALL_K, ALL_HANDS + 1):
             numbers[name] = 0.0
     if end.step == 0:
-        numbers[ACCOUNT] += p[_SEED]
-    numbers[LEVEL] += p[_SEED]
+        numbers[ACCOUNT] += p[SEED]
+    numbers[LEVEL] += p[SEED]
     numbers[DEGREE] += 1.0
     # The wave line.
-    root, span = sqrt(2.0 * p[_LINE]), max(0.02, T)
+    root, span = sqrt(2.0 * p[LINE]), max(0.02, T)
     if end.step == 0:
         for i in range(size):
             end.memory[WAVE_IN, i] = end.memory[WAVE_OUT, i] = 0.5 * root * x[i]
-    power = 0.0
-    for i in range(size):
-        wave = (got[M_WAVE, i] - end.memory[WAVE_IN, i]) / span if heard else 0.0
-        end.memory[WAVE, i] = wave
-        power += 0.5 * end.weight[i] * wave * wave
+    power = receive_wave(end, 1.0 / span if heard else 0.0)
     most = max(told[M_E] - kept[E_IN], 0.0)
     fraction = sqrt(most / (power * T)) if power * T > most else 1.0
     push = root * sqrt(2.0 * power)
-    if fraction * push > p[_FORCE_LIMIT]:
-        fraction = p[_FORCE_LIMIT] / push
-    left = max(p[_FORCE_LIMIT] - fraction * push, 0.0)
+    if fraction * push > p[FORCE_LIMIT]:
+        fraction = p[FORCE_LIMIT] / push
+    left = max(p[FORCE_LIMIT] - fraction * push, 0.0)
     kept[E_IN] += fraction * fraction * power * T
-    for i in range(size):
-        end.memory[WAVE, i] *= fraction
-        end.memory[WAVE_IN, i] += end.memory[WAVE, i] * T
-        end.push[i] = root * end.memory[WAVE, i]
-    end.gains[0], end.gains[1] = 0.0, p[_LINE]
+    push_wave(end, fraction, root)
+    end.gains[0], end.gains[1] = 0.0, p[LINE]
     # What the neighbour's hand would do here, and where the neighbour is.
     numbers[ACCOUNT] += max(told[M_GIVEN] - kept[CREDITED], 0.0)
     kept[CREDITED] = max(kept[CREDITED], told[M_GIVEN])
     kept[PART_HANDS] = 0.0
     if heard:
         kept[AGE] += (end.age - kept[AGE]) * (min(T / 0.3, 1.0) if kept[AGE] > 0.0 else 1.0)
-        mean = max(kept[AGE], p[_FLOOR], 2.0 * T)
+        mean = max(kept[AGE], p[FLOOR], 2.0 * T)
         stale = 3.0 * mean + 0.05
         trust = min(max((1.6 - end.age / stale) / 0.6, 0.0), 1.0)
         theirs = max(told[M_T], 0.0)  # length of the neighbour's steps, unless it lies
         ahead = max(end.age - 0.25 * kept[AGE] - 0.5 * theirs, 0.0)
         numbers[LONGEST] = max(numbers[LONGEST], mean)
-        lag = max(0.005, 0.5 * mean)
         fresh = kept[KNOWN] != told[M_EPOCH]
         kept[KNOWN] = told[M_EPOCH]
         when = numbers[TIME] + T - end.age
-        before, after, between, gap = past(end, when)
+        before, after, share, gap = past(end, when)
+        then = between(before, after, share, gap)
         # A is of this time after the start of the step. Where that changes, A must, or T and age would seem forces.
         horizon = T - 0.25 * kept[AGE]
         shift = 0.0 if fresh else horizon - kept[HORIZON]
         kept[HORIZON] = horizon
-        # The same at both ends, or what draws copies together would push on both.
-        both = 0.5 * (mean + told[M_AGE]) if told[M_AGE] > 0.0 else mean
-        gain, square = p[_MASS] / end.copies, 0.0
         # How fast the hand's force changes, so that it is not held where it was.
         if fresh:
             kept[STAMP], kept[SPAN] = when, 0.0
         passed = when - kept[STAMP]
-        if fresh or passed > 0.25 * theirs:
+        follows, part = fresh or passed > 0.25 * theirs, 0.0
+        if follows:
             kept[STAMP] = when
             kept[SPAN] += passed
-            share = min(passed / min(kept[SPAN], _SMOOTH), 1.0) if passed > 0.0 else 0.0
-            for i in range(size):
-                if fresh:
-                    end.memory[SLOPE, i] = 0.0
-                else:
-                    rate = (got[M_W, i] - end.memory[W_LAST, i]) / passed
-                    end.memory[SLOPE, i] += share * (rate - end.memory[SLOPE, i])
-                end.memory[W_LAST, i] = got[M_W, i]
-        # What touches goes on as it did, and pulls this copy to where its own is, over what it acts on.
-        as_one, width = told[M_AS_ONE] > 0.0, end.width
-        # Its force is late: what swings would be pushed on by it. So it is taken to change as its spring says of what
-        # this copy did since, less what is done evenly: that is the aim's, and a spring against it would be a drag.
-        since = numbers[TIME] + 0.5 * T - when
-        for axis in range(width if as_one else 0):
-            stretch = moved = faster = 0.0
-            for i in range(axis, size, width):
-                shape = got[M_WAY, i]
-                x_then, v_then = place_then(end, before, after, between, gap, i)
-                stretch += shape * (told[M_K] * (end.sample[i] - x_then) + told[M_B] * (got[M_V, i] - v_then))
-                moved += shape * (x[i] + 0.5 * T * own[V, i] - x_then)
-                faster += shape * (own[V, i] - v_then)
-            if since > 0.0:
-                part = 1.0 if fresh else min(T / _SMOOTH, 1.0)
-                kept[EVENLY + axis] += part * (moved / since - kept[EVENLY + axis])
-                stretch -= told[M_K] * (moved - since * kept[EVENLY + axis]) + told[M_B] * faster
-            for i in range(axis, size, width):
-                end.memory[STRETCH, i] = got[M_WAY, i] * stretch
+            part = min(passed / min(kept[SPAN], _SMOOTH), 1.0) if passed > 0.0 else 0.0
+        as_one = told[M_AS_ONE] > 0.0
+        if as_one:
+            _stretch(end, then, numbers[TIME] + 0.5 * T - when, fresh)
         # A hand that grasped or let go did so before this was heard.
         begun = when + 0.5 * told[M_T] - told[M_SINCE] - horizon
         taken = fresh and told[M_SINCE] >= 0.0 and take_over(end, begun)
         kept[PART_GRASPED] = 1.0 if taken else 0.0
         back = told[M_SINCE] + ahead if taken else 0.0
         numbers[BACK] = max(numbers[BACK], back)
-        for i in range(size):
-            then, slope = got[M_W, i], p[_AHEAD] * end.memory[SLOPE, i]
-            w = then + ahead * slope
-            first = got[M_P, i] + ahead * (then + 0.5 * ahead * slope)
-            second = got[M_Q, i] + ahead * (got[M_P, i] + 0.5 * ahead * (then + ahead * slope / 3.0))
-            if fresh and not taken:
-                end.memory[A, i], end.memory[A2, i] = first, second
-            a = end.memory[A, i] + shift * w
-            aa = end.memory[A2, i] + shift * end.memory[A, i] + 0.5 * shift * shift * w
-            tracked = w + 2.0 / lag * (first - a) + (second - aa) / (lag * lag)
-            end.memory[A2, i] = aa + T * a + 0.5 * T * T * tracked
-            end.memory[A, i] = a + T * tracked
-            holds = got[M_W, i] != 0.0 or got[M_P, i] != 0.0
-            hand = tracked
-            if as_one:
-                hand += end.memory[STRETCH, i]
-            elif holds:
-                hand -= told[M_K] * x[i] + told[M_B] * v[i]
-            end.memory[PART_W, i] = w
-            # Since the last step the sums rose by this; since it is another hand, by what a held force would not do.
-            if taken:
-                end.memory[PART_P, i] = first - back * w
-                end.memory[PART_Q, i] = second - 0.5 * back * back * w
-            elif fresh:
-                end.memory[PART_P, i] = end.memory[PART_Q, i] = 0.0
-            else:
-                end.memory[PART_P, i] = first - end.memory[SUM_THERE, i]
-                end.memory[PART_Q, i] = second - end.memory[SUM2_THERE, i] - T * end.memory[SUM_THERE, i]
-            end.memory[SUM_THERE, i], end.memory[SUM2_THERE, i] = first, second
-            end.memory[HAND, i] = hand - told[M_HANDS] * own[TOLD, i]
-            wish = end.memory[HAND, i] / end.copies / end.weight[i]
-            x_then, v_then = place_then(end, before, after, between, gap, i)
-            away, slip = end.sample[i] - x_then, got[M_V, i] - v_then
-            wish += gain * (p[_GK] * away / (both * both) + p[_GD] * slip / both)
-            wish *= trust
-            end.memory[WISHED, i] = wish
-            square += end.weight[i] * wish * wish
-        force = sqrt(square)
-        capped = left / force if force > left else 1.0
-        for i in range(size):
-            own[WISH, i] += capped * end.memory[WISHED, i]
-            end.memory[HAND, i] *= capped * trust
+        known = Heard(
+            fresh,
+            taken,
+            as_one,
+            follows,
+            1.0 / passed if passed > 0.0 else 0.0,
+            part,
+            ahead,
+            p[AHEAD],
+            shift,
+            max(0.005, 0.5 * mean),
+            back,
+            told[M_K],
+            told[M_B],
+            told[M_HANDS],
+        )
+        bring_hand(end, known)
+        # The same at both ends, or what draws copies together would push on both.
+        both = 0.5 * (mean + told[M_AGE]) if told[M_AGE] > 0.0 else mean
+        gain = p[MASS] / end.copies
+        force = sqrt(wish(end, then, gain * p[GK] / (both * both), gain * p[GD] / both, trust))
+        add_wish(end, left / force if force > left else 1.0, trust)
         if p[RELAY] > 0.0 and trust > 0.0 and credible(end, told):
             kept[PART_K], kept[PART_B], kept[PART_HANDS] = told[M_K], told[M_B], told[M_HANDS]
             kept[PART_EPOCH] = told[M_EPOCH] + 1.0
             bring(end)
-    if not end.last:
-        return
-    # The payment, on the last of the copy's links.
-    along = wished = speed = 0.0
-    for i in range(size):
-        along += end.weight[i] * own[WISH, i] * v[i]
-        wished += end.weight[i] * own[WISH, i] * own[WISH, i]
-        speed += end.weight[i] * v[i] * v[i]
+    if end.last:
+        _settle(end)
+
+
+@helper
+def _stretch(end: End, then: Then, since: float, fresh: bool) -> None:
+    """What touches goes on as it did, and pulls this copy to where its own is, over what it acts on.
+
+    Its force is late: what swings would be pushed on by it. So it is taken to change as its spring says of what this
+    copy did since, less what is done evenly: that is the aim's, and a spring against it would be a drag.
+
+    Args:
+        end: of the link.
+        then: where this copy was when the neighbour's sample was.
+        since: how long ago that is [s].
+        fresh: whether it is another hand than before.
+    """
+    T, x, own, got, told = end.T, end.position, end.shared, end.received, end.received_scalars
+    kept, memory, width, size = end.scalars, end.memory, end.width, end.position.shape[0]
+    for axis in range(width):
+        stretch = moved = faster = 0.0
+        for i in range(axis, size, width):
+            shape = got[M_WAY, i]
+            if shape != 0.0:
+                x_then, v_then = place_then(end, then, i)
+                stretch += shape * (told[M_K] * (end.sample[i] - x_then) + told[M_B] * (got[M_V, i] - v_then))
+                moved += shape * (x[i] + 0.5 * T * own[V, i] - x_then)
+                faster += shape * (own[V, i] - v_then)
+        if since > 0.0:
+            part = 1.0 if fresh else min(T / _SMOOTH, 1.0)
+            kept[EVENLY + axis] += part * (moved / since - kept[EVENLY + axis])
+            stretch -= told[M_K] * (moved - since * kept[EVENLY + axis]) + told[M_B] * faster
+        for i in range(axis, size, width):
+            if got[M_WAY, i] != 0.0 or memory[STRETCH, i] != 0.0:
+                memory[STRETCH, i] = got[M_WAY, i] * stretch
+
+
+@helper
+def _settle(end: End) -> None:
+    """The payment, on the last of the copy's links."""
+    T, numbers, p = end.T, end.shared_scalars, end.parameters
+    along, wished, speed = price(end)
     H = max(numbers[ACCOUNT], 0.0)
     fraction = 1.0
-    price = T * (along + sqrt(wished * speed))
-    if price > 2.0 * H:
-        fraction = 2.0 * H / price
+    due = T * (along + sqrt(wished * speed))
+    if due > 2.0 * H:
+        fraction = 2.0 * H / due
     along, wished = fraction * along, fraction * fraction * wished
     root = sqrt(max((2.0 * H - T * along) ** 2 - T * T * wished * speed, 0.0))
     room = 2.0 * H - T * along + root
     b = T * wished / room if room > 0.0 and wished > 0.0 else 0.0
     if b > 1e4:
         fraction = b = 0.0
-    for i in range(size):
-        own[ASKED, i] = own[WISH, i]
-        own[WISH, i] = fraction * own[WISH, i] + b * v[i]
-        end.push[i] += own[WISH, i]
+    pay(end, fraction, b)
     floor = 0.5 * numbers[LEVEL]
-    b += p[_BETA] * max(1.0 - H / floor, 0.0) if floor > 0.0 else p[_BETA]
+    b += p[BETA] * max(1.0 - H / floor, 0.0) if floor > 0.0 else p[BETA]
     numbers[BRAKE] = b
     end.gains[1] += b
 
 
 def _after(end: End) -> None:
     T, numbers, kept, p = end.T, end.shared_scalars, end.scalars, end.parameters
-    size = end.mean.shape[0]
-    root, power = sqrt(2.0 * p[_LINE]), 0.0
-    for i in range(size):
-        back = root * end.mean[i] - end.memory[WAVE, i]
-        end.memory[WAVE_OUT, i] += back * T
-        power += 0.5 * end.weight[i] * back * back
-        end.sent[M_WAVE, i] = end.memory[WAVE_OUT, i]
-    kept[E_OUT] += power * T
+    kept[E_OUT] += return_wave(end, sqrt(2.0 * p[LINE])) * T
     end.sent_scalars[M_E] = kept[E_OUT]
     if end.first:
         book_copy(end)
@@ -296,7 +269,7 @@ def _after(end: End) -> None:
     given = spare if end.last else 0.5 * spare
     numbers[ACCOUNT] -= given
     kept[GIVEN] += given
-    end.sent_scalars[M_AGE] = max(kept[AGE], p[_FLOOR], 2.0 * T)
+    end.sent_scalars[M_AGE] = max(kept[AGE], p[FLOOR], 2.0 * T)
     tell(end)
 
 
@@ -340,11 +313,11 @@ PAID = register(
                 tuned=False,
             ),
         ),
-        sends=("U_out", "w", "P", "Q", "v", "way"),
+        sends=("U_out", "P", "Q", "w", "v", "way"),
         sends_scalars=("E_out", "k", "b", "epoch", "given", "T", "hands", "as one", "since", "age"),
         keeps=(
             *("U_in", "U_out", "s", "A", "A2", "wish", "w before", "slope", "part w", "stretch"),
-            *("P", "Q", "hand", "done", "first", "second", "part P", "part Q"),
+            *("P", "Q", "hand", "done", "first", "second", "part P", "part Q", "alive"),
             *(f"done{k}" for k in range(LOGGED)),
         ),
         keeps_scalars=(
@@ -354,7 +327,7 @@ PAID = register(
         ),
         fractions=(
             *("w", "wish", "f", "x", "v", "x before", "v before"),
-            *("x rate", "v rate", "f rate", "all w", "all P", "all Q", "asked", "touch", "told", "way"),
+            *("x rate", "v rate", "f rate", "all w", "all P", "all Q", "asked", "touch", "told", "way", "acting"),
             *(f"{name}{k}" for name in ("x", "v") for k in range(KEPT)),
         ),
         shares_scalars=(

@@ -4,20 +4,48 @@ from math import sqrt
 
 from cotouch.laws._end import End
 from cotouch.laws._helper import helper
-
-# Fields of a copy, and numbers; the past of x̂ and v̂ follows the fields, its times the numbers.
-W, WISH, FELT, X, V, X_BEFORE, V_BEFORE, X_RATE, V_RATE, F_RATE, ALL_W, ALL_P, ALL_Q, ASKED, TOUCH, TOLD, WAY = range(
-    17
+from cotouch.laws._paid_fields import (
+    ACCOUNT,
+    ACTING,
+    AS_ONE,
+    BRAKE,
+    COUNT,
+    DAMPEST,
+    EPOCH,
+    EVERY,
+    F_RATE,
+    FELT,
+    GRASPED,
+    HELD,
+    KEPT,
+    LONGEST,
+    NEW_B,
+    NEW_K,
+    OWN_B,
+    STEADY,
+    STIFFEST,
+    TIME,
+    TIMES,
+    TOLD,
+    TOUCH,
+    V_BEFORE,
+    V_RATE,
+    VF,
+    VV,
+    WAY,
+    X_BEFORE,
+    X_RATE,
+    XF,
+    XV,
+    XX,
+    K,
+    V,
+    W,
+    X,
 )
-PAST, KEPT, EVERY = 17, 128, 0.004
-ACCOUNT, TIME, K, LEVEL, EPOCH, XX, XV, VV, XF, VF = range(10)
-HELD, COUNT, BRAKE, OWN_B, NEW_K, NEW_B, STEADY = range(10, 17)
-ALL_K, ALL_B, ALL_EPOCH, ALL_HANDS = range(17, 21)  # of the hands that all links bring
-AS_ONE, GRASPED, ALL_GRASPED, LONGEST, BACK, DEGREE = range(21, 27)
-TIMES = 27
+from cotouch.laws._paid_rows import go_on, keep
+from cotouch.mechanics import FOUR, load, size, total
 
-# What a hand may be [N/m, Ns/m].
-STIFFEST, DAMPEST = 5000.0, 100.0
 # A hand is looked at over so long, without what its force and place do evenly over that time, for its own aim moves. It
 # must seem the same for so long to be believed, at first and later [s].
 _LOOK, _FIRST, _HOLD = 0.02, 0.005, 0.02
@@ -48,70 +76,91 @@ def _learn(end: End, i: int, dx: float, dv: float, df: float) -> None:
 
 
 @helper
+def _acting(end: End) -> int:
+    """Lists which fours of numbers hands and tools act on, or did; of all others what is known of them is 0.
+
+    Returns:
+        How many there are.
+    """
+    own, touch, hand, n = end.shared, end.touch, end.hand, end.mean.shape[0]
+    acting, even, told, felt, known = own[ACTING], own[TOUCH], own[TOLD], own[FELT], own[W]
+    count = 0
+    for r in range(n // 4):
+        now = size(load(touch, r, FOUR)) + size(load(hand, r, FOUR)) + size(load(even, r, FOUR))
+        before = size(load(told, r, FOUR)) + size(load(felt, r, FOUR)) + size(load(known, r, FOUR))
+        if total(now + before) != 0.0:
+            acting[count] = 4.0 * r
+            count += 1
+    if n % 4:
+        acting[count] = float(n // 4 * 4)
+        count += 1
+    return count
+
+
+@helper
 def book_copy(end: End) -> None:
     """Once in a step: pays for it, looks at the own hand, and keeps the past."""
     T, own, numbers = end.T, end.shared, end.shared_scalars
-    size, cost, b = end.mean.shape[0], 0.0, numbers[BRAKE]
+    entries, touch, hand = end.mean.shape[0], end.touch, end.hand
     numbers[TIME] += T
     now = numbers[TIME] - 0.5 * T
     count = int(numbers[COUNT])
     if count == 0 or now - numbers[TIMES + (count - 1) % KEPT] >= max(EVERY, 1.5 * numbers[LONGEST] / KEPT):
         slot = count % KEPT
         numbers[TIMES + slot] = now
-        for i in range(size):
-            own[PAST + slot, i] = end.position[i] - 0.5 * T * end.mean[i]
-            own[PAST + KEPT + slot, i] = end.mean[i]
+        keep(end, slot)
         numbers[COUNT] += 1.0
     forget = 1.0 - T / _LOOK
     for name in range(XX, VF + 1):
         numbers[name] *= max(forget, 0.0)
     smooth = min(T / _EVEN, 1.0)
     held = touched = strong = 0.0
-    for i in range(size):
-        own[TOUCH, i] += smooth * (end.touch[i] - own[TOUCH, i])
-        touched = max(touched, abs(end.touch[i]), abs(own[TOUCH, i]))
-        strong += (end.hand[i] + own[TOUCH, i]) ** 2
-    if touched < 1e-6:
-        for i in range(size):
+    acts = _acting(end)
+    for n in range(acts):
+        for i in range(int(own[ACTING, n]), min(int(own[ACTING, n]) + 4, entries)):
+            own[TOUCH, i] += smooth * (touch[i] - own[TOUCH, i])
+            touched = max(touched, abs(touch[i]), abs(own[TOUCH, i]))
+            strong += (hand[i] + own[TOUCH, i]) ** 2
+    if 0.0 < touched < 1e-6:
+        for i in range(entries):
             own[TOUCH, i] = 0.0
         touched = 0.0
     as_one = touched > 0.0
     kind = 1.0 if as_one else 0.0
     width = end.width
-    for row in range(0, size, width):
-        here = 0.0
-        for i in range(row, row + width):
-            here += (end.hand[i] + own[TOUCH, i]) ** 2
-        # Of modes the force itself, for they say where and which way.
-        here = sqrt(here) if width > 1 else end.hand[row] + own[TOUCH, row]
-        for i in range(row, row + width):
-            own[WAY, i] = here / sqrt(strong) if as_one and strong > 0.0 else 0.0
-            own[TOLD, i] = end.hand[i] + own[TOUCH, i]
-    if as_one:
-        for axis in range(width):
-            dx = dv = df = 0.0
-            for i in range(axis, size, width):
+    for n in range(acts):
+        first = int(own[ACTING, n])
+        for row in range(first, min(first + 4, entries), width):
+            here = 0.0
+            for i in range(row, row + width):
+                here += (hand[i] + own[TOUCH, i]) ** 2
+            # Of modes the force itself, for they say where and which way.
+            here = sqrt(here) if width > 1 else hand[row] + own[TOUCH, row]
+            for i in range(row, row + width):
+                own[WAY, i] = here / sqrt(strong) if as_one and strong > 0.0 else 0.0
+                own[TOLD, i] = hand[i] + own[TOUCH, i]
+    for axis in range(width if as_one else 0):
+        dx = dv = df = 0.0
+        for n in range(acts):
+            first = int(own[ACTING, n])
+            for i in range(first + axis, min(first + 4, entries), width):
                 dx += own[WAY, i] * (own[X, i] - own[X_BEFORE, i])
                 dv += own[WAY, i] * (own[V, i] - own[V_BEFORE, i])
-                df += own[WAY, i] * (end.hand[i] + end.touch[i] - own[FELT, i])
-            _learn(end, axis, dx, dv, df)
-    for i in range(size):
-        v = end.mean[i]
-        middle = end.position[i] - 0.5 * T * v
-        force = end.hand[i] + end.touch[i]
-        cost += end.weight[i] * v * (own[WISH, i] - b * v)
-        if force != 0.0:
-            held += 1.0
-            # The force is of the step before; so must be what it is compared with, or a hand seems to change with T.
-            dx, dv = own[X, i] - own[X_BEFORE, i], own[V, i] - own[V_BEFORE, i]
-            df = force - own[FELT, i]
-            if not as_one:
-                _learn(end, i, dx, dv, df)
-        own[X_BEFORE, i], own[V_BEFORE, i] = own[X, i], own[V, i]
-        own[X, i], own[V, i], own[FELT, i] = middle, v, force
+                df += own[WAY, i] * (hand[i] + touch[i] - own[FELT, i])
+        _learn(end, axis, dx, dv, df)
+    for n in range(acts):
+        for i in range(int(own[ACTING, n]), min(int(own[ACTING, n]) + 4, entries)):
+            force = hand[i] + touch[i]
+            if force != 0.0:
+                held += 1.0
+                # It is of the step before; so must be what it is compared with, or a hand seems to change with T.
+                if not as_one:
+                    _learn(end, i, own[X, i] - own[X_BEFORE, i], own[V, i] - own[V_BEFORE, i], force - own[FELT, i])
+            own[FELT, i] = force
+    done, speed = go_on(end)
+    numbers[ACCOUNT] -= T * (done - numbers[BRAKE] * speed)
     if as_one:
         held = min(held, 1.0)
-    numbers[ACCOUNT] -= T * cost
     changed = held != numbers[HELD] or kind != numbers[AS_ONE]
     if changed:
         for name in range(XX, VF + 1):
@@ -141,8 +190,9 @@ def book_copy(end: End) -> None:
         numbers[K], numbers[OWN_B] = k, damping
     if changed or (jump and not as_one):
         numbers[EPOCH] += 1.0
-    for i in range(size):
-        w = own[TOLD, i]
-        if w != 0.0 and not as_one:
-            w += numbers[K] * own[X_BEFORE, i] + numbers[OWN_B] * own[V_BEFORE, i]
-        own[W, i] = w
+    for n in range(acts):
+        for i in range(int(own[ACTING, n]), min(int(own[ACTING, n]) + 4, entries)):
+            w = own[TOLD, i]
+            if w != 0.0 and not as_one:
+                w += numbers[K] * own[X_BEFORE, i] + numbers[OWN_B] * own[V_BEFORE, i]
+            own[W, i] = w

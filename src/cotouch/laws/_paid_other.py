@@ -2,7 +2,8 @@
 
 from cotouch.laws._end import End, Float
 from cotouch.laws._helper import helper
-from cotouch.laws._paid_hand import (
+from cotouch.laws._paid_fields import (
+    A2,
     ALL_B,
     ALL_EPOCH,
     ALL_GRASPED,
@@ -18,37 +19,57 @@ from cotouch.laws._paid_hand import (
     COUNT,
     DAMPEST,
     DEGREE,
+    DONE,
+    EACH,
     EPOCH,
+    GIVEN,
     GRASPED,
+    HAND,
     KEPT,
+    LOG,
+    LOGGED,
+    M_AS_ONE,
+    M_B,
+    M_EPOCH,
+    M_GIVEN,
+    M_HANDS,
+    M_K,
+    M_P,
+    M_Q,
+    M_SINCE,
+    M_T,
+    M_V,
+    M_W,
+    M_WAY,
     OWN_B,
+    PART_B,
+    PART_EPOCH,
+    PART_GRASPED,
+    PART_HANDS,
+    PART_K,
+    PART_P,
+    PART_Q,
+    PART_W,
     PAST,
+    RELAY,
+    ROUNDS,
+    SINCE,
     STIFFEST,
+    SUM,
+    SUM2,
     TIME,
     TIMES,
     TOLD,
+    TOLD_EPOCH,
     WAY,
     WISH,
+    A,
     K,
-    V,
     W,
-    X,
 )
+from cotouch.laws._paid_rows import ONE
+from cotouch.mechanics import FOUR, load, size, splat, store, total, upper
 
-# Fields of an end, and numbers.
-WAVE_IN, WAVE_OUT, WAVE, A, A2, WISHED, W_LAST, SLOPE, PART_W, STRETCH, SUM, SUM2, HAND, DONE = range(14)
-SUM_THERE, SUM2_THERE, PART_P, PART_Q = range(14, 18)
-E_IN, E_OUT, AGE, CREDITED, GIVEN, KNOWN, HORIZON, STAMP, SPAN = range(9)
-PART_K, PART_B, PART_EPOCH, PART_HANDS, TOLD_EPOCH, SINCE, ROUNDS, PART_GRASPED = range(9, 17)
-EVENLY = 17  # and one for each other axis
-# What was done to the copy by a hand is kept at every so many of the times at which its past is kept.
-LOG, EACH = 18, 4
-LOGGED = KEPT // EACH
-# A message.
-M_WAVE, M_W, M_P, M_Q, M_V, M_WAY = range(6)
-M_E, M_K, M_B, M_EPOCH, M_GIVEN, M_T, M_HANDS, M_AS_ONE, M_SINCE, M_AGE = range(10)
-# Of the parameters.
-RELAY = 9
 # Of any force that is told on [N].
 _MOST = 1e5
 # Of ∫w; beyond, a new epoch begins, or small errors of an age would count for much [Ns].
@@ -74,34 +95,6 @@ def past(end: End, when: float) -> tuple[int, int, float, float]:
             return slot, after, (when - time) / gap if gap > 0.0 else 0.0, gap
         after, late = slot, time
     return after, after, 0.0, 0.0
-
-
-@helper
-def place_then(end: End, before: int, after: int, share: float, gap: float, i: int) -> tuple[float, float]:
-    """x̂ and v̂ of this copy at such a time; row -1 is the newest.
-
-    By Hermite's cubic: a straight line cuts the tops of what swings, and so a copy that swings would be told to go on.
-
-    Args:
-        end: of the link.
-        before: row before the time, as `past` says.
-        after: row after it.
-        share: of the way between them.
-        gap: between them [s].
-        i: coordinate.
-    """
-    own = end.shared
-    x, v = (own[X, i], own[V, i]) if before < 0 else (own[PAST + before, i], own[PAST + KEPT + before, i])
-    if before == after:
-        return x, v
-    y, u = (own[X, i], own[V, i]) if after < 0 else (own[PAST + after, i], own[PAST + KEPT + after, i])
-    if gap <= 0.0:
-        return x, v
-    left = 1.0 - share
-    bend, fall = share * left, 3.0 * share * share
-    x_then = x + (y - x) * share * share * (3.0 - 2.0 * share) + gap * bend * (left * v - share * u)
-    v_then = 6.0 * bend * (y - x) / gap + (1.0 - 4.0 * share + fall) * v + (fall - 2.0 * share) * u
-    return x_then, v_then
 
 
 @helper
@@ -184,18 +177,76 @@ def bring(end: End) -> None:
 
 
 @helper
+def _greatest(end: End, first: int, last: int, lanes: tuple[int, ...]) -> float:
+    sums, most = end.memory[SUM], splat(0.0, lanes)
+    for r in range(first, last):
+        most = upper(size(load(sums, r, lanes)), most)
+    return total(most)
+
+
+@helper
+def _tell_sums(
+    end: End, renewed: bool, span: float, share: float, mine: float, first: int, last: int, lanes: tuple[int, ...]
+) -> None:
+    T, own, memory, sent, mean = end.T, end.shared, end.memory, end.sent, end.mean
+    w_own, ways, first_sum, second_sum = own[W], own[WAY], memory[SUM], memory[SUM2]
+    all_w, all_p, all_q = own[ALL_W], own[ALL_P], own[ALL_Q]
+    part_w, part_p, part_q = memory[PART_W], memory[PART_P], memory[PART_Q]
+    w_sent, p_sent, q_sent, v_sent, way_sent = sent[M_W], sent[M_P], sent[M_Q], sent[M_V], sent[M_WAY]
+    p_more, q_more = splat(0.0, lanes), splat(0.0, lanes)
+    for r in range(first, last):
+        acts, p, q = load(w_own, r, lanes), load(first_sum, r, lanes), load(second_sum, r, lanes)
+        w = acts
+        if share > 0.0:
+            w = w + share * (load(all_w, r, lanes) - mine * load(part_w, r, lanes))
+            p_more = share * (load(all_p, r, lanes) - mine * load(part_p, r, lanes))
+            q_more = share * (load(all_q, r, lanes) - mine * load(part_q, r, lanes))
+        if renewed:
+            p, q = span * w, (0.5 * span * span) * w
+            if span == 0.0:
+                p_more, q_more = splat(0.0, lanes), splat(0.0, lanes)
+        if span != 0.0:
+            acts = splat(0.0, lanes)
+        q = q + T * p + (0.5 * T * T) * acts + q_more
+        p = p + T * acts + p_more
+        store(first_sum, r, p, lanes)
+        store(second_sum, r, q, lanes)
+        store(w_sent, r, w, lanes)
+        store(p_sent, r, p, lanes)
+        store(q_sent, r, q, lanes)
+        store(v_sent, r, load(mean, r, lanes), lanes)
+        store(way_sent, r, load(ways, r, lanes), lanes)
+
+
+@helper
+def _note_done(end: End, log: int, first: int, last: int, lanes: tuple[int, ...]) -> None:
+    """What the hand did to this copy, and this link's part of what was not done as it was wished."""
+    T, own, numbers, memory, weight, mean = end.T, end.shared, end.shared_scalars, end.memory, end.weight, end.mean
+    wishes, asked, mine, hands, done = own[WISH], own[ASKED], own[TOLD], memory[HAND], memory[DONE]
+    brake, part, others = numbers[BRAKE], end.copies / numbers[DEGREE], end.received_scalars[M_HANDS]
+    logged = memory[LOG + max(log, 0)]
+    for r in range(first, last):
+        short = load(wishes, r, lanes) - brake * load(mean, r, lanes) - load(asked, r, lanes)
+        hand = load(hands, r, lanes) + others * load(mine, r, lanes)
+        more = T * (hand + part * short * load(weight, r, lanes))
+        before = load(done, r, lanes)
+        if log >= 0:
+            store(logged, r, before + 0.5 * more, lanes)
+        store(done, r, before + more, lanes)
+        store(hands, r, splat(0.0, lanes), lanes)
+
+
+@helper
 def tell(end: End) -> None:
     """Writes of the own hand what the neighbour is told and, in a tree, of those that the other links bring."""
-    T, own, numbers, kept, relay = end.T, end.shared, end.shared_scalars, end.scalars, end.parameters[RELAY]
-    size = end.mean.shape[0]
+    T, numbers, kept, relay = end.T, end.shared_scalars, end.scalars, end.parameters[RELAY]
+    n = end.mean.shape[0]
     # In a tree, what the other links bring comes to the neighbour by this one only.
     share, mine = relay, 1.0 if kept[PART_HANDS] > 0.0 else 0.0
     epoch = numbers[EPOCH] + numbers[ALL_EPOCH] - mine * kept[PART_EPOCH]
     renewed = epoch != kept[TOLD_EPOCH]
-    kept[TOLD_EPOCH], most = epoch, 0.0
-    for i in range(size):
-        most = max(most, abs(end.memory[SUM, i]))
-    if most > _MOST_P:
+    kept[TOLD_EPOCH] = epoch
+    if max(_greatest(end, 0, n // 4, FOUR), _greatest(end, n // 4 * 4, n, ONE)) > _MOST_P:
         renewed = True
         kept[ROUNDS] += 1.0
     span = 0.0
@@ -210,27 +261,11 @@ def tell(end: End) -> None:
         kept[SINCE] += T
     count = int(numbers[COUNT]) - 1
     logs = count % EACH == 0 and numbers[TIMES + count % KEPT] == numbers[TIME] - 0.5 * T
-    for i in range(size):
-        w = own[W, i] + share * (own[ALL_W, i] - mine * end.memory[PART_W, i])
-        p_more = share * (own[ALL_P, i] - mine * end.memory[PART_P, i])
-        q_more = share * (own[ALL_Q, i] - mine * end.memory[PART_Q, i])
-        if renewed:
-            end.memory[SUM, i], end.memory[SUM2, i] = span * w, 0.5 * span * span * w
-            if span == 0.0:
-                p_more = q_more = 0.0
-        w_own = own[W, i] if span == 0.0 else 0.0
-        end.memory[SUM2, i] += T * end.memory[SUM, i] + 0.5 * T * T * w_own + q_more
-        end.memory[SUM, i] += T * w_own + p_more
-        end.sent[M_W, i], end.sent[M_P, i], end.sent[M_Q, i] = w, end.memory[SUM, i], end.memory[SUM2, i]
-        end.sent[M_V, i], end.sent[M_WAY, i] = end.mean[i], own[WAY, i]
-        # What the hand did to this copy, and this link's part of what was not done as it was wished.
-        short = own[WISH, i] - numbers[BRAKE] * end.mean[i] - own[ASKED, i]
-        short *= end.copies * end.weight[i] / numbers[DEGREE]
-        done = T * (end.memory[HAND, i] + end.received_scalars[M_HANDS] * own[TOLD, i] + short)
-        if logs:
-            end.memory[LOG + count // EACH % LOGGED, i] = end.memory[DONE, i] + 0.5 * done
-        end.memory[DONE, i] += done
-        end.memory[HAND, i] = 0.0
+    _tell_sums(end, renewed, span, share, mine, 0, n // 4, FOUR)
+    _tell_sums(end, renewed, span, share, mine, n // 4 * 4, n, ONE)
+    log = count // EACH % LOGGED if logs else -1
+    _note_done(end, log, 0, n // 4, FOUR)
+    _note_done(end, log, n // 4 * 4, n, ONE)
     end.sent_scalars[M_K] = numbers[K] + share * (numbers[ALL_K] - mine * kept[PART_K])
     end.sent_scalars[M_B] = numbers[OWN_B] + share * (numbers[ALL_B] - mine * kept[PART_B])
     end.sent_scalars[M_EPOCH], end.sent_scalars[M_GIVEN] = epoch + kept[ROUNDS], kept[GIVEN]

@@ -100,7 +100,7 @@ from cotouch.mechanics._tools import (
     Tools,
     tools,
 )
-from cotouch.mechanics._vector import at, load, put, splat, store, total
+from cotouch.mechanics._vector import FOUR, at, load, lower, put, size, splat, store, total, upper, where
 from cotouch.mechanics._world import Obstacle, World
 from cotouch.mechanics._world_audit import begin_world, follow_world
 from cotouch.mechanics._world_force import deepest_point

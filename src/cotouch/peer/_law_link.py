@@ -2,13 +2,13 @@
 
 from dataclasses import dataclass, field
 from math import inf
-from typing import final
+from typing import Any, final
 
 import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.errors import NetworkError
-from cotouch.laws import FORCE, End, Law, call, feel
+from cotouch.laws import FORCE, BoundEnd, End, Law, feel
 from cotouch.mechanics import Contact, Ports
 from cotouch.peer._links import Link, Message, Sample
 
@@ -144,7 +144,8 @@ class LawLink:
         self._weight = self._target = self._push = _NONE
         self._used, self._steps = -1, 0
         self.apart, self._heard = 0.0, False
-        self._end: End | None = None
+        self._end: BoundEnd | None = None
+        self._position = _NONE
 
     def offer(self, sample: Sample) -> bool:
         """Hands a sample to the source."""
@@ -171,6 +172,7 @@ class LawLink:
         self._spring, self._place = spring, place
         self._weight, self._width = np.repeat(weight, target.shape[1]), target.shape[1]
         self._target, self._push = target.reshape(-1), push.reshape(-1)
+        self._end = None
 
     def set_parameters(self, parameters: Float) -> None:
         """Goes on with others; what a newcomer may push with grows as before.
@@ -216,28 +218,49 @@ class LawLink:
             self._waited += T * self._heard
         link, links = self._place
         content = sample.index if sample.content is None else sample.content
+        changed: dict[str, Any] = {
+            "T": T,
+            "age": age,
+            "sample_index": sample.index,
+            "new": content > self._used,
+            "step": self._steps,
+            "first": link == 0,
+            "last": link + 1 == links,
+            "copies": self.copies,
+            "spring": self._spring,
+            "position": position,
+            "velocity": velocity,
+            "sample": sample.position,
+            "received": fields,
+            "received_scalars": scalars,
+        }
+        if self._end is None:
+            self._end = self._bound(changed)
+        else:
+            self._end.write(**changed)
+        self._end.run(self.law.parts[0])
+        self._position, self._used = position.reshape(-1), content
+        k, b = self._gains.tolist()
+        if not (0.0 <= k < np.inf and 0.0 <= b < np.inf):
+            told = (position, velocity, sample.position, self.memory.hand, self.memory.touch, fields, scalars)
+            if not all(np.isfinite(values).all() for values in told):
+                return np.nan, np.nan  # a motion that left floating point shows in the state; no law could help it
+            raise NetworkError(
+                f'law "{self.law.name}" gives a link stiffness {k:g} and damping {b:g}; both must be finite and >= 0'
+            )
+        return k, b
+
+    def _bound(self, changed: dict[str, Any]) -> BoundEnd:
+        """The end as it is in its first step with such links."""
         end = End(
-            T=T,
-            age=age,
-            sample_index=sample.index,
-            new=content > self._used,
-            step=self._steps,
+            **changed,
             side=self._side,
-            first=link == 0,
-            last=link + 1 == links,
-            copies=self.copies,
             width=self._width,
-            spring=self._spring,
             parameters=self._parameters,
             weight=self._weight,
-            position=position.reshape(-1),
-            velocity=velocity.reshape(-1),
             mean=_NONE,
-            sample=sample.position.reshape(-1),
             hand=self.memory.hand,
             touch=self.memory.touch,
-            received=fields,
-            received_scalars=scalars,
             memory=self._fields,
             scalars=self._scalars,
             shared=self.memory.shared,
@@ -248,17 +271,7 @@ class LawLink:
             sent=self.message[0],
             sent_scalars=self.message[1],
         )
-        call(self.law.parts[0], end)
-        self._end, self._used = end, content
-        k, b = self._gains.tolist()
-        if not (0.0 <= k < np.inf and 0.0 <= b < np.inf):
-            told = (position, velocity, sample.position, self.memory.hand, self.memory.touch, fields, scalars)
-            if not all(np.isfinite(values).all() for values in told):
-                return np.nan, np.nan  # a motion that left floating point shows in the state; no law could help it
-            raise NetworkError(
-                f'law "{self.law.name}" gives a link stiffness {k:g} and damping {b:g}; both must be finite and >= 0'
-            )
-        return k, b
+        return BoundEnd(end)
 
     @property
     def seed(self) -> float:
@@ -275,7 +288,7 @@ class LawLink:
         """Of the link's push and spring on the copy where it stands, as chosen last [N]."""
         if self._end is None:
             return 0.0
-        pull = float(self._gains[0]) * (self._target - self._end.position) + self._push
+        pull = float(self._gains[0]) * (self._target - self._position) + self._push
         return float(np.sqrt(self._weight @ pull**2))
 
     def _believed(self, scalars: Float, T: float) -> Float:
@@ -303,6 +316,6 @@ class LawLink:
         """
         assert self._end is not None
         self.message = self._empty[0].copy(), self._empty[1].copy()
-        end = self._end._replace(mean=mean.reshape(-1), sent=self.message[0], sent_scalars=self.message[1])
-        call(self.law.parts[1], end)
+        self._end.write(mean=mean, sent=self.message[0], sent_scalars=self.message[1])
+        self._end.run(self.law.parts[1])
         self._steps += 1

@@ -53,6 +53,7 @@ class Assembly:
         # Where each chunk goes; none with a basis, which spreads every number over all rows.
         spans = [] if layout.basis is not None else [layout.span(chunk) for chunk in range(layout.chunks)]
         self._parts = [self.state[span, : layout.axes] for span in spans]
+        self._told = [] if self._fields is None else [self._fields[:, span, : layout.axes] for span in spans]
         self._chosen: Sample | None = None
 
     @property
@@ -97,9 +98,9 @@ class Assembly:
             self._parts[at][...] = chunk.values
         else:
             self._layout.expand(chunk.values, self.state)
-        if self.message is not None and self._fields is not None:
+        if self.message is not None:
             assert chunk.fields is not None and chunk.scalars is not None  # noqa: PT018
-            self._fields[:, self._layout.span(at), : self._layout.axes] = chunk.fields
+            self._told[at][...] = chunk.fields
             if step >= self.newest:
                 self.message[1][:] = chunk.scalars
                 self._content = chunk.content

@@ -20,6 +20,7 @@ Nothing in it raises: what cannot be right is refused with a reason.
 """
 
 import struct
+from collections.abc import Sequence
 from math import copysign
 from typing import final
 
@@ -45,6 +46,10 @@ _LAST_TIME = 1e10
 _LONGEST_STEP = 10.0
 _MOST_GIVEN = 1e12  # [J]
 _MOST_OF_LAW = 1e12  # of any number that a link law sends, in its own unit
+# Of a sum of squares of such numbers, as rounded as it may be in single precision.
+_SURELY = 0.99 * _MOST_OF_LAW**2
+# Of what a law says: sums, and the others.
+_EXACT, _COARSE = np.dtype("<f8"), np.dtype("<f4")
 _FEW = 16
 
 
@@ -62,11 +67,13 @@ class Codec:
         self._item = layout.dtype.itemsize * layout.axes
         self._spans = [layout.span(chunk) for chunk in range(layout.chunks)]
         self._starts = np.array([span.start for span in self._spans])
-        self._places = [(span.start, span.stop - span.start) for span in self._spans]
+        self._places: list[tuple[int, int]] = [(span.start, span.stop - span.start) for span in self._spans]
         self._head = HEAD_BYTES + 8 * layout.scalars
         self._says = bool(layout.fields or layout.scalars)
-        self._coarse = list(layout.coarse)
-        self._sums = [field for field in range(layout.fields) if field not in layout.coarse]
+        sums = [field for field in range(layout.fields) if field not in layout.coarse]
+        self._sums, self._coarse = _run(sums), _run(layout.coarse)
+        self._shapes = [(-1, count, layout.axes) for _, count in self._places]
+        self._numbers = [(len(sums) * n * layout.axes, len(layout.coarse) * n * layout.axes) for _, n in self._places]
         self._sizes = [{self._head + count * (self._item + layout.row_bytes)} for _, count in self._places]
         if self._form is not None:
             kinds, axes = (FULL, ROUNDED), layout.axes
@@ -113,12 +120,12 @@ class Codec:
         if message is None:
             return Refusal.LAW
         fields, scalars = message[0].reshape(layout.fields, layout.rows, layout.width), message[1]
-        if scalars.size != layout.scalars or not (_usable(fields) and _usable(scalars)):
+        if scalars.size != layout.scalars or not _usable(fields, scalars):
             return Refusal.LAW
-        said = scalars.astype("<f8").tobytes()
-        exact, coarse = fields[self._sums].astype("<f8"), fields[self._coarse].astype("<f4")
-        cut = [(slice(None), span, slice(layout.axes)) for span in self._spans]
-        return [(said, exact[part].tobytes() + coarse[part].tobytes()) for part in cut]
+        said, axes = np.asarray(scalars, _EXACT).tobytes(), slice(layout.axes)
+        exact, coarse = np.asarray(fields[self._sums], _EXACT), fields[self._coarse].astype(_COARSE)
+        parts = [(exact[:, span, axes], coarse[:, span, axes]) for span in self._spans]
+        return [(said, precise.tobytes() + rough.tobytes()) for precise, rough in parts]
 
     def datagram(self, heading: Heading, chunk: int, body: bytes, told: tuple[bytes, bytes] = (b"", b"")) -> bytes:
         """The datagram of a chunk, still open.
@@ -262,17 +269,15 @@ class Codec:
         values = values.reshape(count, self._axes)
         if not self._says:
             return Chunk(heading, chunk, values)
-        scalars = np.frombuffer(payload, "<f8", self.layout.scalars, HEAD_BYTES)
-        fields = np.empty((self.layout.fields, count, self._axes))
-        where, part = self._head + count * self._item, count * self._axes
-        exact = np.frombuffer(payload, "<f8", len(self._sums) * part, where)
-        fields[self._sums] = exact.reshape(-1, count, self._axes)
-        if self._coarse:
-            coarse = np.frombuffer(payload, "<f4", len(self._coarse) * part, where + exact.nbytes)
-            with np.errstate(invalid="ignore"):
-                fields[self._coarse] = coarse.reshape(-1, count, self._axes)
-        if not (_usable(scalars) and _usable(fields)):
+        scalars = np.frombuffer(payload, _EXACT, self.layout.scalars, HEAD_BYTES)
+        where, shape, (precise, rough) = self._head + count * self._item, self._shapes[chunk], self._numbers[chunk]
+        exact = np.frombuffer(payload, _EXACT, precise, where)
+        coarse = np.frombuffer(payload, _COARSE, rough, where + 8 * precise)
+        if not _usable(scalars, exact, coarse):
             return Refusal.LAW
+        fields = np.empty((self.layout.fields, count, self._axes))
+        fields[self._sums] = exact.reshape(shape)
+        fields[self._coarse] = coarse.reshape(shape)
         return Chunk(heading, chunk, values, scalars, fields)
 
     def _read_brief(self, payload: bytes, *, epoch: int, sender: int) -> Coded | Refusal:
@@ -307,7 +312,7 @@ class Codec:
         fields, scalars = sample.message
         if not self._within(sample.position.reshape(-1)):
             return Refusal.STATE
-        if not (_usable(scalars) and _usable(fields)):
+        if not _usable(scalars, fields):
             return Refusal.LAW
         head = heading._replace(step=sample.index, stamp=sample.stamp, header=sample.header)
         told = fields.reshape(self.layout.fields, *sample.position.shape)
@@ -332,6 +337,18 @@ def _of_guard(state: int, given: float, starved: int) -> bool:
     return state <= LinkState.COUPLED and starved <= 1 and copysign(1.0, given) > 0.0 and given <= _MOST_GIVEN
 
 
-def _usable(numbers: Float) -> bool:
+def _usable(*parts: npt.NDArray[np.floating]) -> bool:
     """Whether all numbers of a law are finite and within what is of any use; false for NaN."""
-    return bool(np.abs(numbers).max(initial=0.0) <= _MOST_OF_LAW)
+    with np.errstate(all="ignore"):
+        for part in parts:
+            numbers = part.reshape(-1)
+            if not (float(numbers.dot(numbers)) <= _SURELY or np.abs(numbers).max(initial=0.0) <= _MOST_OF_LAW):
+                return False
+    return True
+
+
+def _run(places: Sequence[int]) -> slice | list[int]:
+    """Places one after the other as a slice, which costs less than a list of them."""
+    if list(places) == list(range(places[0], places[-1] + 1) if places else ()):
+        return slice(places[0], places[-1] + 1) if places else slice(0)
+    return list(places)
