@@ -48,9 +48,8 @@ from cotouch.mechanics._world_force import looks_of, settle_world, take_up
 
 # Sweeps of the rotations from nowhere.
 _MANY = 60
-# What the next look would change, of the motion about the centre of mass, for which it is not taken; and of the cube of
-# what the first one changed of it, which is as T: so what is left out shrinks with the step as fast as the closure.
-ENOUGH, CUBED = 2e-4, 0.02
+# What the next look would change, of the motion about the centre of mass, for which it is not taken.
+ENOUGH = 2e-4
 # A step whose end velocity is changed by more than this is told: its forces and its energy disagree.
 CLOSURE_ALARM = 1e-2
 
@@ -97,8 +96,7 @@ def closed_step(
     ledger[ITERATIONS] = 0.0
     for i in range(op.mass.shape[0]):
         store(work.mean, i, load(state.velocity, i, lanes), lanes)
-    directions, alone = looks_ahead(state.memory, force.directions, force.cut), force.parts is None
-    first, before = 0.0, 0.0
+    directions, before, alone = looks_ahead(state.memory, force.directions, force.cut), 0.0, force.parts is None
     for number in range(looks_of(force.world, directions, work.dense.shape[0] > 0)):
         settled = predict(op, force, state, T, False, work, lanes)
         if number >= directions and settled:
@@ -119,14 +117,10 @@ def closed_step(
             lanes,
         )
         # Each look leaves about that share of the last one's change by which that was smaller than the one before.
-        if number == 0:
-            first = change
-        elif alone:
-            enough = change * change <= before * moving * ENOUGH * ENOUGH
-            if enough and (change * moving) ** 2 <= before * first**3 * CUBED * CUBED:
-                directions = min(directions, number + 1)
-                if force.world is None:
-                    break
+        if number > 0 and alone and change * change <= before * moving * ENOUGH * ENOUGH:
+            directions = min(directions, number + 1)
+            if force.world is None:
+                break
         before = change
     level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
     attempt, length, refused = 0, 1.0, False
