@@ -3,7 +3,8 @@
 # Without it, the first call of a `Part` in a process fails.
 import numba.experimental.function_type  # noqa: F401  # pyright: ignore[reportUnusedImport, reportMissingTypeStubs]
 
-from cotouch.laws._end import END_WORDS, BoundEnd, End, Part, brake, call, copy, feel, given_power, hand, handed, square
+from cotouch.laws._end import END_WORDS, BoundEnd, End, Part, call, hand, handed
+from cotouch.laws._helper import brake, copy, feel, given_power, square
 from cotouch.laws._law import FORCE, Facts, Law, Linear, Parameter, Tone, law_named, laws, register
 from cotouch.laws._once import ONCE
 from cotouch.laws._paid import PAID

@@ -14,7 +14,6 @@ nothing.
 from collections.abc import Callable
 from ctypes import PYFUNCTYPE, c_void_p
 from functools import cached_property
-from math import sqrt
 from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias, final
 
@@ -29,7 +28,6 @@ from numba.extending import lower_getattr_generic, models, register_model
 from numba.np.arrayobj import populate_array
 
 from cotouch.compiled import intrinsic, stamped
-from cotouch.mechanics import Ports, at, inner, kernel, put
 
 Float: TypeAlias = npt.NDArray[np.float64]
 
@@ -128,6 +126,11 @@ _KINDS = {name: _SCALARS.get(kind, _TABLE if name in _TABLES else _ROW) for name
 _SIZES = [1 + (kind.ndim if isinstance(kind, types.Array) else 0) for kind in _KINDS.values()]
 _PLACES = dict(zip(_KINDS, np.cumsum([0, *_SIZES[:-1]]).tolist(), strict=True))
 END_WORDS = sum(_SIZES)
+# And as what: axes of an array, 0 of a number, less of what is counted or is so or not.
+_WRITTEN = {
+    name: (_PLACES[name], kind.ndim if isinstance(kind, types.Array) else -(kind is not types.float64))
+    for name, kind in _KINDS.items()
+}
 
 
 @infer_getattr
@@ -281,18 +284,19 @@ class BoundEnd:
         Args:
             changed: fields of an end by name; of arrays only which one it is, not what is in it.
         """
+        words, numbers, held = self._words, self._numbers, self._held
         for name, value in changed.items():
-            place, kind = _PLACES[name], _KINDS[name]
-            if kind is types.float64:
-                self._numbers[place] = value
-            elif not isinstance(kind, types.Array):
-                self._words[place] = value
-            elif self._held.get(name) is not value:
+            place, axes = _WRITTEN[name]
+            if axes == 0:
+                numbers[place] = value
+            elif axes < 0:
+                words[place] = value
+            elif held.get(name) is not value:
                 assert value.dtype == np.float64, name
                 assert value.flags.c_contiguous, name
-                self._held[name] = value
-                sizes = (value.size,) if kind.ndim == 1 else value.shape
-                self._words[place : place + 1 + kind.ndim] = value.ctypes.data, *sizes
+                held[name] = value
+                words[place] = value.ctypes.data
+                words[place + 1 : place + 1 + axes] = value.size if axes == 1 else value.shape
 
     def run(self, part: Part) -> None:
         """Calls a half of a law.
@@ -311,88 +315,3 @@ def call(part: Part, end: End) -> None:
         end: of a link.
     """
     BoundEnd(end).run(part)
-
-
-@inner
-def square(weight: Float, field: Float) -> float:
-    """`‖field‖²_W`.
-
-    Args:
-        weight: of each entry.
-        field: the values.
-    """
-    result = 0.0
-    for i in range(field.shape[0]):
-        result += at(weight, i) * at(field, i) * at(field, i)
-    return result
-
-
-@inner
-def copy(target: Float, source: Float) -> None:
-    """`target = source`.
-
-    Args:
-        target: written.
-        source: read.
-    """
-    for i in range(target.shape[0]):
-        put(target, i, at(source, i))
-
-
-@inner
-def given_power(end: End) -> float:
-    """Power of the link's push and damper on the copy, `⟨c, v̂⟩_W - b‖v̂‖²_W`; after the step [W]."""
-    result, b = 0.0, end.gains[1]
-    for i in range(end.mean.shape[0]):
-        v = at(end.mean, i)
-        result += at(end.weight, i) * v * (at(end.push, i) - b * v)
-    return result
-
-
-@inner
-def brake(end: End, energy: float, least: float, most: float) -> None:
-    """Writes a damper b beside the push c, so that both can do no more than an energy in the coming step.
-
-    For every v̂ is `T (⟨c, v̂⟩ - b‖v̂‖²) ≤ T‖c‖²/(4b)`. Where that would take more than the greatest damper, c is
-    reduced.
-
-    Args:
-        end: its `push` is there.
-        energy: >= 0 [J].
-        least: b at least [Ns/m].
-        most: b at most, >= least [Ns/m].
-    """
-    price = 0.25 * end.T * square(end.weight, end.push)
-    b = least
-    if price > b * energy:
-        if price > most * energy:
-            fraction = sqrt(most * energy / price)
-            b = most
-            for i in range(end.push.shape[0]):
-                put(end.push, i, fraction * at(end.push, i))
-        else:
-            b = price / energy
-    end.gains[1] = b
-
-
-@kernel
-def feel(hand: Float, ports: Ports) -> None:
-    """The force of the hands on every row and axis, from those of the ports that they have.
-
-    Args:
-        hand: result, flat, (size,) [N].
-        ports: after the step.
-    """
-    dense, width = ports.shape.shape[0] > 0, ports.force.shape[1]
-    for place in range(hand.shape[0]):
-        put(hand, place, 0.0)
-    for p in range(ports.first, ports.last):
-        for axis in range(width):
-            force = at(ports.force, (p, axis))
-            if dense:
-                for row in range(ports.shape.shape[1]):
-                    place = row * width + axis
-                    put(hand, place, at(hand, place) + at(ports.shape, (p, row)) * force)
-            else:
-                place = at(ports.row, p) * width + axis
-                put(hand, place, at(hand, place) + force)

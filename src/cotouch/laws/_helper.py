@@ -1,9 +1,13 @@
-"""What laws that are longer than two functions are written with."""
+"""What laws are written with."""
 
 from collections.abc import Callable
+from math import sqrt
 from typing import Any, TypeVar
 
 import numba
+
+from cotouch.laws._end import End, Float
+from cotouch.mechanics import Ports, at, inner, kernel, put
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -16,3 +20,88 @@ def helper(function: F) -> F:
     """
     njit: Any = numba.njit
     return njit(nogil=True, fastmath={"contract"}, error_model="numpy", _nrt=False, forceinline=True)(function)
+
+
+@inner
+def square(weight: Float, field: Float) -> float:
+    """`‖field‖²_W`.
+
+    Args:
+        weight: of each entry.
+        field: the values.
+    """
+    result = 0.0
+    for i in range(field.shape[0]):
+        result += at(weight, i) * at(field, i) * at(field, i)
+    return result
+
+
+@inner
+def copy(target: Float, source: Float) -> None:
+    """`target = source`.
+
+    Args:
+        target: written.
+        source: read.
+    """
+    for i in range(target.shape[0]):
+        put(target, i, at(source, i))
+
+
+@inner
+def given_power(end: End) -> float:
+    """Power of the link's push and damper on the copy, `⟨c, v̂⟩_W - b‖v̂‖²_W`; after the step [W]."""
+    result, b = 0.0, end.gains[1]
+    for i in range(end.mean.shape[0]):
+        v = at(end.mean, i)
+        result += at(end.weight, i) * v * (at(end.push, i) - b * v)
+    return result
+
+
+@inner
+def brake(end: End, energy: float, least: float, most: float) -> None:
+    """Writes a damper b beside the push c, so that both can do no more than an energy in the coming step.
+
+    For every v̂ is `T (⟨c, v̂⟩ - b‖v̂‖²) ≤ T‖c‖²/(4b)`. Where that would take more than the greatest damper, c is
+    reduced.
+
+    Args:
+        end: its `push` is there.
+        energy: >= 0 [J].
+        least: b at least [Ns/m].
+        most: b at most, >= least [Ns/m].
+    """
+    price = 0.25 * end.T * square(end.weight, end.push)
+    b = least
+    if price > b * energy:
+        if price > most * energy:
+            fraction = sqrt(most * energy / price)
+            b = most
+            for i in range(end.push.shape[0]):
+                put(end.push, i, fraction * at(end.push, i))
+        else:
+            b = price / energy
+    end.gains[1] = b
+
+
+@kernel
+def feel(hand: Float, ports: Ports) -> None:
+    """The force of the hands on every row and axis, from those of the ports that they have.
+
+    Args:
+        hand: result, flat, (size,) [N].
+        ports: after the step.
+    """
+    dense, width = ports.shape.shape[0] > 0, ports.force.shape[1]
+    for place in range(hand.shape[0]):
+        put(hand, place, 0.0)
+    for p in range(ports.first, ports.last):
+        for axis in range(width):
+            force = at(ports.force, (p, axis))
+            if dense:
+                for row in range(ports.shape.shape[1]):
+                    place = row * width + axis
+                    put(hand, place, at(hand, place) + at(ports.shape, (p, row)) * force)
+            else:
+                place = at(ports.row, p) * width + axis
+                put(hand, place, at(hand, place) + force)

@@ -8,7 +8,8 @@ damping is a small share of the rule's.
 from collections.abc import Sequence
 from math import sqrt
 
-from cotouch.laws._end import End, copy
+from cotouch.laws._end import End
+from cotouch.laws._helper import copy
 from cotouch.laws._law import Facts, Law, Parameter, Tone, register
 
 

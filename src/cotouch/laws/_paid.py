@@ -13,8 +13,8 @@ wave line, passive by itself, lies beside it, or copies whose accounts are dry c
 
 from math import inf, sqrt
 
-from cotouch.laws._end import End, copy
-from cotouch.laws._helper import helper
+from cotouch.laws._end import End
+from cotouch.laws._helper import copy, helper
 from cotouch.laws._law import FORCE, Facts, Law, Parameter, register
 from cotouch.laws._paid_fields import (
     ACCOUNT,

@@ -1,6 +1,7 @@
 """`pd`: spring and damper to the newest sample; not passive by itself once samples vary or are held."""
 
-from cotouch.laws._end import End, copy
+from cotouch.laws._end import End
+from cotouch.laws._helper import copy
 from cotouch.laws._law import Facts, Law, Parameter, Tone, register
 
 

@@ -5,7 +5,8 @@ It is what a guarded link does that never couples: see `cotouch.peer.LinkGuard`.
 
 from math import inf, sqrt
 
-from cotouch.laws._end import End, copy, square
+from cotouch.laws._end import End
+from cotouch.laws._helper import copy, square
 from cotouch.laws._law import FORCE, Facts, Law, Parameter, register
 
 _TANK, _GIVEN, _CREDITED = range(3)

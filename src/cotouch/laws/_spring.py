@@ -1,6 +1,7 @@
 """`spring`: a spring to the newest sample, made passive by local damping [Lee & Huang 2010; the age rule]."""
 
-from cotouch.laws._end import End, copy
+from cotouch.laws._end import End
+from cotouch.laws._helper import copy
 from cotouch.laws._law import Law, Tone, register
 
 

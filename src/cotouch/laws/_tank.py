@@ -6,7 +6,8 @@ below zero. What is above its level goes to the other end. [Franken, Stramigioli
 
 from math import inf, sqrt
 
-from cotouch.laws._end import End, brake, copy, given_power, square
+from cotouch.laws._end import End
+from cotouch.laws._helper import brake, copy, given_power, square
 from cotouch.laws._law import FORCE, Facts, Law, Parameter, register
 
 _TANK, _GIVEN, _CREDITED = range(3)

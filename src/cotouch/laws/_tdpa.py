@@ -8,7 +8,8 @@ what the spring's end has taken in: instead of an observer that finds out a step
 
 from math import inf, sqrt
 
-from cotouch.laws._end import End, brake, copy, given_power, square
+from cotouch.laws._end import End
+from cotouch.laws._helper import brake, copy, given_power, square
 from cotouch.laws._law import FORCE, Law, Parameter, register
 
 

@@ -7,7 +7,8 @@ With the impedance b, the wave s into the copy and s' out of it, `√(2b) v̂ = 
 
 from math import inf, sqrt
 
-from cotouch.laws._end import End, copy, square
+from cotouch.laws._end import End
+from cotouch.laws._helper import copy, square
 from cotouch.laws._law import FORCE, Facts, Law, Parameter, Tone, register
 
 _IN, _OUT, _WAVE = range(3)

@@ -100,7 +100,7 @@ from cotouch.mechanics._tools import (
     Tools,
     tools,
 )
-from cotouch.mechanics._vector import FOUR, at, load, lower, put, size, splat, store, total, upper, where
+from cotouch.mechanics._vector import FOUR, at, load, put, size, splat, store, total, upper, where
 from cotouch.mechanics._world import Obstacle, World
 from cotouch.mechanics._world_audit import begin_world, follow_world
 from cotouch.mechanics._world_force import deepest_point
@@ -119,6 +119,7 @@ __all__ = [
     "ELASTIC",
     "END",
     "EXTRA_LOSS",
+    "FOUR",
     "GRASP",
     "ITERATIONS",
     "KINETIC",
@@ -237,6 +238,7 @@ __all__ = [
     "shape_table",
     "share",
     "show_skin",
+    "size",
     "slowed",
     "splat",
     "squared",
@@ -248,6 +250,8 @@ __all__ = [
     "total",
     "unheard",
     "unseen_place",
+    "upper",
     "virtual_coupling_limit",
+    "where",
     "workspace",
 ]

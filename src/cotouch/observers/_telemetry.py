@@ -113,6 +113,7 @@ class TelemetryPublisher:
         self._commanded = False  # whether the hand asks for requests by itself
         self._order: npt.NDArray[np.int64] | None = None
         self._model: Model | None = None
+        self._modes: npt.NDArray[np.float32] | None = None
         self._life = both_clocks()[1]
 
     # -- orders ------------------------------------------------------------------------------------------------------
@@ -194,6 +195,8 @@ class TelemetryPublisher:
         if self._model is not copy.peer.model:
             self._model = copy.peer.model
             self._order = None if self._model.order is None else np.argsort(self._model.order)
+            modes = self._model.modes
+            self._modes = None if modes is None else np.ascontiguousarray(modes, dtype=np.float32)
         self._copy, self._ports = copy, copy.ports
         for recorder in self._behind():
             recorder.setup(copy, now)
@@ -253,7 +256,7 @@ class TelemetryPublisher:
         fields["time"][()] = now
         fields["step"][()] = peer.steps
         fields["T"][()] = T
-        self._displaced(peer.state.position, fields["displacement"])
+        shown = [(peer.state.position, fields["displacement"])]
         if peer.cuts is not None:
             fields["cut"][...] = peer.cuts.by
         fields["known"][...] = 0
@@ -261,11 +264,12 @@ class TelemetryPublisher:
         for k, slot in enumerate(peer.neighbours):
             held = copy.neighbours[slot]
             fields["known"][slot] = 1
-            self._displaced(held.link.assembly.state, fields["neighbours"][slot])
+            shown.append((held.link.assembly.state, fields["neighbours"][slot]))
             age, ledger = float(report.age[k]), held.ledger
             tank, state = (0.0, LinkState.COUPLED) if ledger is None else (ledger.tank, ledger.state)
             fields["ages"][slot] = _age(age, held.link.ages.worst_sum)
             fields["links"][slot] = (age, totals.link_work.get(slot, 0.0), held.force, tank, state)
+        self._displaced(shown)
         if self._hand is not None:
             self._hand.show(fields)
         fields["ledger"][...] = [getattr(totals, name) for name in LEDGER_COLUMNS]
@@ -274,17 +278,17 @@ class TelemetryPublisher:
             self._catch(copy, now)
         self._view.publish()
 
-    def _displaced(self, rows: Float, out: npt.NDArray[np.float32]) -> None:
-        """As `Model.to_nodes`, into what is there."""
-        model = self._model
+    def _displaced(self, shown: list[tuple[Float, npt.NDArray[np.float32]]]) -> None:
+        """As `Model.to_nodes`, of rows of several copies into what is there for each."""
+        model, axes = self._model, shown[0][1].shape[1]
         assert model is not None
-        axes = out.shape[1]
-        columns = rows[:, :1] if model.full else rows[:, :axes]
-        if model.modes is not None:
-            columns = model.modes @ columns
+        columns = [rows[:, :1] if model.full else rows[:, :axes] for rows, _ in shown]
+        if self._modes is not None:  # all at once, and in single precision: the modes are large, and are read once
+            columns = list((self._modes @ np.concatenate(columns, axis=1, dtype=np.float32)).T)
         elif self._order is not None:
-            columns = columns[self._order]
-        out[...] = columns.reshape(out.shape)
+            columns = [values[self._order] for values in columns]
+        for values, (_, out) in zip(columns, shown, strict=True):
+            out[...] = values.reshape(out.shape)
 
     def _catch(self, copy: Replica, now: float) -> None:
         """Gives a copy that runs away its damping back."""

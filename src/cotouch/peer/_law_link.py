@@ -138,7 +138,8 @@ class LawLink:
         self._fields = np.zeros((len(law.keeps), size))
         self._scalars = np.zeros(len(law.keeps_scalars))
         self._empty: Message = np.zeros((len(law.sends), size)), np.zeros(len(law.sends_scalars))
-        self.message: Message = self._empty[0].copy(), self._empty[1].copy()
+        self.message: Message = self._empty
+        self._sent: Message = self._empty[0].copy(), self._empty[1].copy()
         self._gains = np.zeros(2)
         self._spring, self._place, self._width = 0.0, (0, 0), 1
         self._weight = self._target = self._push = _NONE
@@ -268,8 +269,8 @@ class LawLink:
             target=self._target,
             push=self._push,
             gains=self._gains,
-            sent=self.message[0],
-            sent_scalars=self.message[1],
+            sent=self._sent[0],
+            sent_scalars=self._sent[1],
         )
         return BoundEnd(end)
 
@@ -315,7 +316,10 @@ class LawLink:
             mean: v̂ of the step, (rows, width) [m/s].
         """
         assert self._end is not None
-        self.message = self._empty[0].copy(), self._empty[1].copy()
-        self._end.write(mean=mean, sent=self.message[0], sent_scalars=self.message[1])
+        fields, scalars = self._sent
+        fields.fill(0.0)
+        scalars.fill(0.0)
+        self._end.write(mean=mean)
         self._end.run(self.law.parts[1])
+        self.message = fields.copy(), scalars.copy()
         self._steps += 1

@@ -46,8 +46,6 @@ _LAST_TIME = 1e10
 _LONGEST_STEP = 10.0
 _MOST_GIVEN = 1e12  # [J]
 _MOST_OF_LAW = 1e12  # of any number that a link law sends, in its own unit
-# Of a sum of squares of such numbers, as rounded as it may be in single precision.
-_SURELY = 0.99 * _MOST_OF_LAW**2
 # Of what a law says: sums, and the others.
 _EXACT, _COARSE = np.dtype("<f8"), np.dtype("<f4")
 _FEW = 16
@@ -72,8 +70,9 @@ class Codec:
         self._says = bool(layout.fields or layout.scalars)
         sums = [field for field in range(layout.fields) if field not in layout.coarse]
         self._sums, self._coarse = _run(sums), _run(layout.coarse)
-        self._shapes = [(-1, count, layout.axes) for _, count in self._places]
-        self._numbers = [(len(sums) * n * layout.axes, len(layout.coarse) * n * layout.axes) for _, n in self._places]
+        self._numbers: list[tuple[int, int]] = [
+            (len(sums) * n * layout.axes, len(layout.coarse) * n * layout.axes) for _, n in self._places
+        ]
         self._sizes = [{self._head + count * (self._item + layout.row_bytes)} for _, count in self._places]
         if self._form is not None:
             kinds, axes = (FULL, ROUNDED), layout.axes
@@ -120,7 +119,9 @@ class Codec:
         if message is None:
             return Refusal.LAW
         fields, scalars = message[0].reshape(layout.fields, layout.rows, layout.width), message[1]
-        if scalars.size != layout.scalars or not _usable(fields, scalars):
+        if scalars.size != layout.scalars:
+            return Refusal.LAW
+        if not (self._surely_within(message[0].reshape(-1), scalars) or _usable(fields, scalars)):
             return Refusal.LAW
         said, axes = np.asarray(scalars, _EXACT).tobytes(), slice(layout.axes)
         exact, coarse = np.asarray(fields[self._sums], _EXACT), fields[self._coarse].astype(_COARSE)
@@ -263,21 +264,25 @@ class Codec:
         heading = Heading(said, user, index, stamp, T, flags, newest, received, echo, held, age, worst, header)
         if chunk is None or self._form is not None:
             return Coded(heading, chunk, payload[HEAD_BYTES:])
-        values = np.frombuffer(payload, self._wire, count * self._axes, self._head)
-        if not self._within(values):
-            return Refusal.STATE
-        values = values.reshape(count, self._axes)
+        body = payload[HEAD_BYTES:]  # a copy, in which numbers begin where a machine reads them at once
+        values = np.frombuffer(body, self._wire, count * self._axes, 8 * self.layout.scalars)
         if not self._says:
-            return Chunk(heading, chunk, values)
-        scalars = np.frombuffer(payload, _EXACT, self.layout.scalars, HEAD_BYTES)
-        where, shape, (precise, rough) = self._head + count * self._item, self._shapes[chunk], self._numbers[chunk]
-        exact = np.frombuffer(payload, _EXACT, precise, where)
-        coarse = np.frombuffer(payload, _COARSE, rough, where + 8 * precise)
-        if not _usable(scalars, exact, coarse):
-            return Refusal.LAW
+            return Chunk(heading, chunk, values.reshape(count, self._axes)) if self._within(values) else Refusal.STATE
+        precise, rough = self._numbers[int(chunk)]
+        told = self.layout.scalars
+        exact = np.frombuffer(body, _EXACT, told + values.size + precise)
+        coarse = np.frombuffer(body, _COARSE, rough, exact.nbytes)
+        scalars, sums = exact[:told], exact[told + values.size :]
+        if not self._surely_within(exact, coarse):
+            if not self._within(values):
+                return Refusal.STATE
+            if not _usable(scalars, sums, coarse):
+                return Refusal.LAW
+        shape = (-1, count, self._axes)
         fields = np.empty((self.layout.fields, count, self._axes))
-        fields[self._sums] = exact.reshape(shape)
+        fields[self._sums] = sums.reshape(shape)
         fields[self._coarse] = coarse.reshape(shape)
+        values = values.reshape(count, self._axes)
         return Chunk(heading, chunk, values, scalars, fields)
 
     def _read_brief(self, payload: bytes, *, epoch: int, sender: int) -> Coded | Refusal:
@@ -318,15 +323,18 @@ class Codec:
         told = fields.reshape(self.layout.fields, *sample.position.shape)
         return Chunk(head, chunk, sample.position, scalars, told, sample.content)
 
+    def _surely_within(self, *parts: npt.NDArray[np.floating]) -> bool:
+        """Whether sums of squares say at once that all numbers are what a state's may be; never for NaN."""
+        with np.errstate(all="ignore"):
+            return all(float(part.dot(part)) <= self._surely for part in parts)
+
     def _within(self, values: npt.NDArray[np.floating]) -> bool:
         """Whether all numbers are finite and within the limit."""
         if values.size <= _FEW:  # the reader's own numbers cost less than a call about all of them
             most = self._most
             return all(-most <= value <= most for value in values.tolist())
-        # A sum of squares below the largest square says so quickly, and never for NaN.
-        with np.errstate(all="ignore"):
-            if float(values.dot(values)) <= self._surely:
-                return True
+        if self._surely_within(values):
+            return True
         # Without their sign, floating point numbers are ordered as their bits are, infinity and NaN above all others;
         # and integers raise no flags, whatever is in them.
         return int((values.view(self._bits) & self._unsigned).max()) <= self._limit
@@ -340,11 +348,7 @@ def _of_guard(state: int, given: float, starved: int) -> bool:
 def _usable(*parts: npt.NDArray[np.floating]) -> bool:
     """Whether all numbers of a law are finite and within what is of any use; false for NaN."""
     with np.errstate(all="ignore"):
-        for part in parts:
-            numbers = part.reshape(-1)
-            if not (float(numbers.dot(numbers)) <= _SURELY or np.abs(numbers).max(initial=0.0) <= _MOST_OF_LAW):
-                return False
-    return True
+        return all(bool(np.abs(part).max(initial=0.0) <= _MOST_OF_LAW) for part in parts)
 
 
 def _run(places: Sequence[int]) -> slice | list[int]:
