@@ -107,12 +107,12 @@ def _played(
     say("building the object")
     replica = interruptible(SharedModel.build)(session)
     touched = replica.body.skin is not None
+    # Here, as somebody waits who wants to know of it. Members would compile once, too: one, while the others wait, and
+    # a page would show nobody. What is not cold may still lack what this object needs, so two steps are taken anyway.
     cold = compiles(session, touched=touched)
-    if cold:
-        # Here, as somebody waits who wants to know of it. Members would compile once, too: one, while the others wait.
-        say("compiling, once on this machine")
-        with shared_with_another_process(session) if touched else nullcontext():
-            interruptible(warm_up)(replica, lambda model: CommandedHand(Slot.of(session, replica, 0, model)))
+    say("compiling, once on this machine" if cold else "trying what was compiled before, or compiling what lacks")
+    with shared_with_another_process(session) if touched and cold else nullcontext():
+        interruptible(warm_up)(replica, lambda model: CommandedHand(Slot.of(session, replica, 0, model)))
     say("starting the members")
     with open_host(session) as opened, mailbox_folder() as mailboxes:
         api = DemoSessionApi(session, opened, replica, mailboxes, record=record, rouse=seconds is None)
