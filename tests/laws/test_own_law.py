@@ -6,11 +6,12 @@ from dataclasses import replace
 from math import nan
 from pathlib import Path
 
+import numpy as np
 import pytest
 from tests.laws.scenes import OTHERS, two
 
 from cotouch.errors import ScenarioError
-from cotouch.laws import WAVE, End, Law, Parameter, copy, register
+from cotouch.laws import WAVE, BoundEnd, End, Law, Parameter, copy, register
 from cotouch.scenario import Scenario
 from cotouch.simulation import judge, prepare, simulate
 
@@ -55,6 +56,46 @@ def test_a_law_of_ones_own_runs() -> None:
     assert run["position"].values[1, -1, 0, 0] > 0.001
     other = simulate(scenario({"kind": "foresight", "fraction": 1.0}, delay=0.01))
     assert abs(run["position"].values - other["position"].values).max() > 1e-4
+
+
+def test_an_end_that_lasts_says_what_changed() -> None:
+    fields = dict.fromkeys(("weight", "position", "velocity", "mean", "hand", "touch", "push"), np.zeros(3))
+    tables = dict.fromkeys(("memory", "shared"), np.zeros((0, 3)))
+    target, gains, sent = np.zeros(3), np.zeros(2), np.zeros((1, 3))
+    first = End(
+        **fields,
+        **tables,
+        **dict.fromkeys(("received_scalars", "scalars", "shared_scalars", "sent_scalars"), np.zeros(0)),
+        **dict.fromkeys(("T", "age"), 0.5),
+        **dict.fromkeys(("sample_index", "step", "side", "copies", "width"), 1),
+        **dict.fromkeys(("new", "first", "last"), True),
+        spring=7.0,
+        parameters=np.array([2.0]),
+        sample=np.array([1.0, 2.0, 3.0]),
+        received=np.array([[0.0, 10.0, 0.0]]),
+        target=target,
+        gains=gains,
+        sent=sent,
+    )
+    end = BoundEnd(first)
+    end.run(AHEAD.parts[0])
+    assert target.tolist() == [1.0, 12.0, 3.0]
+    assert gains[0] == 7.0
+    first.sample[0] = 4.0  # what is in an array is read where it lies
+    end.write(age=1.0, spring=8.0, received=np.array([[0.0, 1.0, 0.0]]))
+    end.run(AHEAD.parts[0])
+    assert target.tolist() == [4.0, 4.0, 3.0]
+    assert gains[0] == 8.0
+    other = np.array([-1.0, -2.0])  # another size, too
+    end.write(sample=other, received=np.array([[0.0, 0.0]]), target=(shorter := np.zeros(2)))
+    end.run(AHEAD.parts[0])
+    assert shorter.tolist() == [-1.0, -2.0]
+    assert target.tolist() == [4.0, 4.0, 3.0]
+    end.write(mean=np.array([5.0, 6.0, 7.0]))
+    end.run(AHEAD.parts[1])
+    assert sent.tolist() == [[5.0, 6.0, 7.0]]
+    with pytest.raises(AssertionError, match="mean"):
+        end.write(mean=np.zeros(6)[::2])
 
 
 def test_the_law_in_the_documents_is_one_file_and_runs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
