@@ -12,11 +12,12 @@ from typing import cast
 import matplotlib.pyplot as plt
 import numpy as np
 import numpy.typing as npt
+import xarray as xr
 from mpl_toolkits.mplot3d import Axes3D
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from cotouch import drawing
-from cotouch.body import cut_skin
+from cotouch.body import Body, cut_skin, joined, turning
 from cotouch.network import Network
 from cotouch.scenario import FileTable, Scenario
 from cotouch.scenario._world_table import PlateTable
@@ -33,6 +34,7 @@ EXAMPLES: dict[str, tuple[tuple[float, ...], tuple[float, float], float]] = {
     "push-a-box": ((0.2, 1.3, 2.9), (30.0, -130.0), 0.95),
     "tower": ((0.4, 1.5, 2.6, 4.0), (14.0, -72.0), 0.95),
     "sheet": ((0.2, 1.4, 2.4, 5.0), (28.0, -65.0), 0.95),
+    "turn-a-block": ((0.0, 0.8, 1.5, 2.4), (34.0, -60.0), 0.95),
     "cut-a-liver": ((0.8, 1.7, 3.9), (24.0, -62.0), 1.05),
 }
 # A skin of more triangles is drawn with thinner lines.
@@ -101,12 +103,15 @@ def _moments(images: Path, name: str, times: Sequence[float], look: tuple[float,
     body, run = scenario.build_body(), simulate(scenario)
     faces = cut_skin(body) if "cut_time" in run else None
     skin = body.skin if faces is None else faces.skin
+    if body.tools:
+        skin = joined([part for part in body.parts if part.tool is None]).skin
     assert skin is not None
     numbers = run["node"].values.tolist()
     rows = [int(np.argmin(np.abs(run["time"].values[0] - time))) for time in times]
-    shown = [skin.carried(run["position"].values[0, row, : body.nodes]) for row in rows]
-    wide = max((tool.radius for tool in scenario.tools if tool.kind != "blade"), default=0.0)
-    ends = [*shown, *(run["tool_position"].values[:, row] + wide * s for row in rows for s in (-1, 1) if wide)]
+    shown = [skin.carried(run["position"].values[0, row, : body.shared]) for row in rows]
+    wide = max((tool.radius for tool in scenario.proxies if tool.kind != "blade"), default=0.0)
+    ends = [*shown, *(_posed(run, body, k, row) for row in rows for k in range(len(body.tools)))]
+    ends = [*ends, *(run["tool_position"].values[:, row] + wide * s for row in rows for s in (-1, 1) if wide)]
     low, high = np.min([s.min(axis=0) for s in ends], axis=0), np.max([s.max(axis=0) for s in ends], axis=0)
     eye = np.array([np.cos(angle) for angle in np.radians([look[1], 90.0 - look[1]])]) * np.cos(np.radians(look[0]))
     for plate in scenario.world.plates:
@@ -140,7 +145,7 @@ def _moments(images: Path, name: str, times: Sequence[float], look: tuple[float,
                     places[drawn], facecolors="#E4DFD3", edgecolors="#8A8578", linewidth=fine, shade=True, zorder=2
                 )
             )
-            for index, tool in enumerate(scenario.tools):
+            for index, tool in enumerate(scenario.proxies):
                 if tool.kind == "blade":
                     ends = run["tool_position"].values[index, row] + np.outer([0.0, 1.0], tool.axis or [0.0])
                     middle = (ends.mean(axis=0) - places.mean(axis=0))[:2]
@@ -154,6 +159,12 @@ def _moments(images: Path, name: str, times: Sequence[float], look: tuple[float,
                     drawing.USERS[tool.user - 1],
                     (places, eye),
                 )
+            for index, part in enumerate(body.tools):
+                solid, colour = _posed(run, body, index, row), drawing.USERS[scenario.rigid_tools[index].user - 1]
+                order = 3 if (solid.mean(axis=0) - places.mean(axis=0))[:2] @ eye > 0.0 else 1.5
+                order = 3 if solid[:, 2].mean() > places[:, 2].max() else order
+                sides = solid[part.skin().triangles]
+                axes.add_collection3d(Poly3DCollection(sides, facecolors=colour, shade=True, zorder=order))
             for hand in scenario.hands:
                 held = run["position"].values[hand.user - 1, row, numbers.index(hand.node)]
                 _ball(axes, held, 0.02 * float((high - low).max()), drawing.USERS[hand.user - 1], (places, eye))
@@ -165,6 +176,14 @@ def _moments(images: Path, name: str, times: Sequence[float], look: tuple[float,
             axes.set_axis_off()
         figure.subplots_adjust(0.0, 0.0, 1.0, 0.94, 0.0, 0.0)
         (images / f"{name}.png").write_bytes(drawing.drawn(figure, format="png", dpi=110))
+
+
+def _posed(run: xr.Dataset, body: Body, index: int, row: int) -> npt.NDArray[np.float64]:
+    """Vertices of a rigid tool where it is in a record."""
+    part = body.tools[index]
+    vertices = part.skin().vertices @ part.turn.T + part.shift
+    begun, place = run["rigid_position"].values[index, [0, row]]
+    return (vertices - begun) @ turning(run["rigid_rotation"].values[index, row].tolist()).T + place
 
 
 def _plate(axes: Axes3D, plate: PlateTable, *, behind: bool) -> None:

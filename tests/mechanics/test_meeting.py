@@ -100,7 +100,7 @@ class Several(Alone):
         world = self.force.world
         assert world is not None
         assert world.bodies is not None
-        return deepest_between(world, world.bodies, self.state.position)[0]
+        return deepest_between(world, world.bodies, self.state.memory, self.state.position)[0]
 
 
 def tower(count: int, body: Body, between: Between = STUCK) -> Several:
@@ -225,7 +225,8 @@ def test_a_block_rests_on_a_block_at_the_depth_that_its_weight_asks_for() -> Non
 
 
 def lean(pair: Several, angle: float) -> None:
-    pair.force = pair.force._replace(gravity=G * np.array([[np.sin(angle), 0.0, -np.cos(angle), 0.0]]))
+    pull = G * np.array([np.sin(angle), 0.0, -np.cos(angle), 0.0])
+    pair.force = pair.force._replace(gravity=np.tile(pull, (pair.force.gravity.shape[0], 1)))
 
 
 def test_friction_between_bodies_holds_to_a_thousandth_of_its_cone() -> None:

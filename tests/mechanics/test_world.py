@@ -73,8 +73,8 @@ class Standing(Alone):
 
     def lean(self, angle: float) -> None:
         """Turns gravity towards x, as if the plane leaned."""
-        pull = G * np.array([[np.sin(angle), 0.0, -np.cos(angle), 0.0]])
-        self.force = self.force._replace(gravity=pull)
+        pull = G * np.array([np.sin(angle), 0.0, -np.cos(angle), 0.0])
+        self.force = self.force._replace(gravity=np.tile(pull, (self.force.gravity.shape[0], 1)))
 
     def tilt(self, angle: float, steps: int) -> None:
         """Leans the plane slowly."""
@@ -193,7 +193,7 @@ def test_depth_in_a_turned_box() -> None:
         place = np.tile(np.array([x, 2.0, 3.0]) - SIDE / 2, (8, 1)) * np.array([1.0, 1.0, 1.0])
         if deep < 0.0:
             place[:, 0] = x
-        found, which = deepest_point(world, ready.to_rows(place))
+        found, which = deepest_point(world, ready.unturned(), ready.to_rows(place))
         assert which == 0
         assert (found > 0.0) == (deep > 0.0)
         if deep < 0.0:

@@ -13,13 +13,13 @@ from cotouch.body._ground import Box, Held, NodeSet, Plane
 from cotouch.body._material import Frame, Material
 from cotouch.body._mesh_material import SolidModel, SurfaceModel
 from cotouch.body._origin import Origin
-from cotouch.body._part import Part, drawn_parts, pulls_of
+from cotouch.body._part import Part, ToolBody, drawn_parts, pulls_of
 from cotouch.body._reading import Unit
-from cotouch.body._rigid import rigid_body
+from cotouch.body._rigid import rigid_body, scaled
 from cotouch.body._shapes import rigid_box, rigid_cylinder, rigid_sphere, turning
 from cotouch.body._skin import Skin
 from cotouch.body._statics import lowest_modes
-from cotouch.body._strains import SIGNS, frame_of, strain_law
+from cotouch.body._strains import SIGNS, frame_of, shares_of, strain_law
 from cotouch.body._together import Placed, joined, together
 from cotouch.body._truncation import Truncation
 from cotouch.meshfile import SURFACES, VOLUMES, is_surface
@@ -50,6 +50,7 @@ __all__ = [
     "SolidModel",
     "SumOfSquares",
     "SurfaceModel",
+    "ToolBody",
     "Truncation",
     "Unit",
     "body_from_surface",
@@ -71,6 +72,8 @@ __all__ = [
     "rigid_box",
     "rigid_cylinder",
     "rigid_sphere",
+    "scaled",
+    "shares_of",
     "strain_law",
     "together",
     "turning",

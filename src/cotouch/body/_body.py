@@ -15,7 +15,7 @@ from cotouch.body._body_checks import check_mass, rest_shape
 from cotouch.body._checks import Form, Matrix, SumOfSquares, diagonal, plausible, positive, square
 from cotouch.body._material import Material
 from cotouch.body._origin import Origin
-from cotouch.body._part import Part, cuttable_parts, held_shares
+from cotouch.body._part import Part, cuttable_parts, held_shares, held_vertices
 from cotouch.body._skin import Skin
 from cotouch.body._strains import shares_of
 from cotouch.body._truncation import Truncation, missing_at, truncate
@@ -163,9 +163,18 @@ class Body:
         """How many elements, or faces, can be cut, of several bodies those of all in turn; 0: it cannot be cut."""
         if self.parts:
             return sum(part.body.cut_count for part in self.parts)
-        if self.material is None or not self.material.cuttable:
-            return 0
-        return self.material.faces.shape[0] or self.material.elements.shape[0]
+        made = self.material
+        return 0 if made is None or not made.cuttable else made.faces.shape[0] or made.elements.shape[0]
+
+    @property
+    def tools(self) -> tuple[Part, ...]:
+        """Those of its parts that are tools, the last ones."""
+        return tuple(part for part in self.parts if part.tool is not None)
+
+    @property
+    def shared(self) -> int:
+        """Number of nodes that are no tool's; they come first."""
+        return self.tools[0].first if self.tools else self.nodes
 
     @property
     def holds(self) -> int:
@@ -177,8 +186,7 @@ class Body:
         """What hands can hold at rest: nodes, and of a rigid body its skin's vertices and `places`, (H, d) [m]."""
         if not self.rigid:
             return self.rest
-        vertices = np.zeros((0, 3)) if self.skin is None else self.skin.vertices
-        return np.concatenate([self.rest, vertices, self.places])
+        return np.concatenate([self.rest[: self.shared], held_vertices(self.parts, self.skin), self.places])
 
     @cached_property
     def held_shares(self) -> Float | None:
@@ -193,8 +201,7 @@ class Body:
         Args:
             number: of the body, from 0.
         """
-        part = self.parts[number]
-        shares = self.held_shares
+        part, shares = self.parts[number], self.held_shares
         if shares is None:
             return np.arange(part.first, part.last)
         return np.flatnonzero(np.abs(shares[:, part.first : part.last]).sum(axis=1) > 0.0)
@@ -202,9 +209,7 @@ class Body:
     @cached_property
     def linearised(self) -> "Body":
         """The linear body that it is like at rest, without weight."""
-        if self.material is None:
-            return self
-        return self._made_of(None, ())
+        return self if self.material is None else self._made_of(None, ())
 
     def with_places(self, places: npt.ArrayLike) -> "Body":
         """The same rigid body with more points that can be held.
@@ -288,7 +293,11 @@ class Body:
         return self._made_of(replace(self.material, cuttable=True, tear=tear, strength=strength, toughness=toughness))
 
     def _made_of(
-        self, material: Material | None, places: npt.ArrayLike | None = None, parts: tuple[Part, ...] | None = None
+        self,
+        material: Material | None,
+        places: npt.ArrayLike | None = None,
+        parts: tuple[Part, ...] | None = None,
+        truncation: Truncation | None = None,
     ) -> "Body":
         own = self.parts if parts is None else parts
         return Body(
@@ -300,6 +309,7 @@ class Body:
             stiffness_ext=self.stiffness_ext,
             skin=self.skin,
             origin=self.origin,
+            truncation=truncation,
             material=material,
             parts=() if material is None else own,  # what is linear is one body
             places=self.places if places is None else places,
@@ -337,17 +347,8 @@ class Body:
             raise UnsupportedError(
                 f'modes is {modes}, but model is "{self.material.model}"; only a linear body has modes: leave one out'
             )
-        return Body(
-            mass=self.mass,
-            rest=self.rest,
-            damping_int=SumOfSquares(self.damping_int),
-            damping_ext=self.damping_ext,
-            stiffness_int=SumOfSquares(self.stiffness_int),
-            stiffness_ext=self.stiffness_ext,
-            skin=self.skin,
-            origin=self.origin,
-            truncation=truncate(self.mass, self.damping, self.stiffness, self.rest, modes=modes, contacts=contacts),
-        )
+        shapes = truncate(self.mass, self.damping, self.stiffness, self.rest, modes=modes, contacts=contacts)
+        return self._made_of(None, (), truncation=shapes)
 
     def missing_compliance(self, vertices: Sequence[int]) -> Float:
         """What a truncated body lacks in static compliance among vertices of its skin [m/N].

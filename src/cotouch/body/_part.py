@@ -17,6 +17,22 @@ if TYPE_CHECKING:
 
 
 @final
+@dataclass(frozen=True, kw_only=True)
+class ToolBody:
+    """That a body is a tool: it is in the copy of its user alone, without links and weight.
+
+    A copy takes one of N parts of everything, so the mass of a tool's body must be N times what it is.
+
+    Attributes:
+        owner: whose it is, from 0.
+        copies: N, >= 1.
+    """
+
+    owner: int
+    copies: int
+
+
+@final
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Part:
     """One of several bodies.
@@ -27,6 +43,7 @@ class Part:
         first: its first node among those of all.
         turn: rotation of its rest shape, (3, 3).
         shift: where the origin of its rest shape comes to, (3,) [m].
+        tool: whose tool it is; None: it is shared.
     """
 
     name: str
@@ -34,6 +51,7 @@ class Part:
     first: int
     turn: Float
     shift: Float
+    tool: ToolBody | None = None
 
     @property
     def last(self) -> int:
@@ -63,18 +81,44 @@ class Part:
         )
 
 
+def never_meet(one: Part, other: Part) -> bool:
+    """Whether two bodies are tools of two users, which no copy holds both.
+
+    Args:
+        one: of the bodies.
+        other: likewise.
+    """
+    return one.tool is not None and other.tool is not None and one.tool.owner != other.tool.owner
+
+
+def _shared(parts: tuple[Part, ...]) -> list[Part]:
+    return [part for part in parts if part.tool is None]
+
+
+def held_vertices(parts: tuple[Part, ...], skin: Skin | None) -> Float:
+    """Vertices of a body's skin that hands can hold, all but those of tools, (V, 3) [m].
+
+    Args:
+        parts: of the body; none of one that was not put together.
+        skin: of all.
+    """
+    if not parts:
+        return np.zeros((0, 3)) if skin is None else skin.vertices
+    return np.concatenate([part.skin().vertices @ part.turn.T + part.shift for part in _shared(parts)])
+
+
 def held_shares(parts: tuple[Part, ...], held: Float, nodes: int) -> Float:
     """How much of each node a place on one of several rigid bodies follows, (H, nodes).
 
     Args:
         parts: the bodies.
-        held: nodes, vertices of the skin of all, and more places, which are of the body whose vertex is nearest [m].
-        nodes: of all.
+        held: nodes, `held_vertices`, and more places, which are of the body whose vertex is nearest [m].
+        nodes: of all, with those of tools.
     """
-    skins = [part.skin().vertices @ part.turn.T + part.shift for part in parts]
-    of_vertex = np.repeat(np.arange(len(parts)), [skin.shape[0] for skin in skins])
+    parts, vertices = tuple(_shared(parts)), held_vertices(parts, None)
+    of_vertex = np.repeat(np.arange(len(parts)), [part.skin().vertices.shape[0] for part in parts])
     of_node = np.repeat(np.arange(len(parts)), [part.body.nodes for part in parts])
-    more, vertices = held[nodes + of_vertex.size :], np.concatenate(skins)
+    more = held[of_node.size + of_vertex.size :]
     nearest = [int(np.argmin(np.linalg.norm(vertices - place, axis=1))) for place in more]
     owner = np.concatenate([of_node, of_vertex, of_vertex[nearest]])
     result = np.zeros((held.shape[0], nodes))

@@ -6,6 +6,7 @@ and the same on every machine. What keeps the four together is stiff, not infini
 could be strained swing at `RATE`.
 """
 
+from dataclasses import replace
 from typing import Any, Final
 
 import numpy as np
@@ -137,6 +138,27 @@ def rigid_body(
         skin=skin,
         material=material,
         origin=None if origin is None else Origin(held=np.zeros(0, dtype=np.intp), free=6, **origin),
+    )
+
+
+def scaled(body: Body, *, mass: float, rate: float) -> Body:
+    """A rigid body of the same shape and so many times the mass, whose strains swing so many times as fast.
+
+    Args:
+        body: rigid.
+        mass: > 0.
+        rate: > 0.
+    """
+    assert body.material is not None
+    firm = mass * rate * rate
+    return Body(
+        mass=body.mass * mass,
+        rest=body.rest,
+        stiffness_int=SumOfSquares(body.stiffness_int * firm),
+        damping_int=SumOfSquares(body.damping_int * firm),
+        skin=body.skin,
+        material=replace(body.material, stiffness=body.material.stiffness * firm),
+        origin=body.origin,
     )
 
 

@@ -10,7 +10,7 @@ import scipy.sparse as sp
 from cotouch.body._body import Body
 from cotouch.body._checks import SumOfSquares
 from cotouch.body._material import Material
-from cotouch.body._part import Part
+from cotouch.body._part import Part, ToolBody, never_meet
 from cotouch.body._shapes import OFF, three, turning
 from cotouch.body._skin import joined_skins
 from cotouch.errors import BodyError, UnsupportedError
@@ -32,12 +32,14 @@ class Placed:
         name: of its own.
         at: where the middle of its extents comes to, (3,) [m]; None: it stays where it is.
         turn: how it is turned about that middle: along the axis of turning, as long as the angle, (3,) [rad].
+        tool: whose tool it is; None: it is shared.
     """
 
     body: Body
     name: str
     at: tuple[float, float, float] | None = None
     turn: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    tool: ToolBody | None = None
 
 
 def together(bodies: Sequence[Placed]) -> Body:
@@ -96,6 +98,8 @@ def _refuse_same(parts: Sequence[Part]) -> None:
     boxes = [(part.rest().min(axis=0), part.rest().max(axis=0)) for part in parts]
     for k, (low, high) in enumerate(boxes):
         for j in range(k):
+            if never_meet(parts[j], parts[k]):
+                continue
             apart = max(np.abs(low - boxes[j][0]).max(), np.abs(high - boxes[j][1]).max())
             if apart <= _SAME * float((high - low).max()):
                 raise BodyError(f'bodies "{parts[j].name}" and "{parts[k].name}" are in one place; move one of them')
@@ -128,7 +132,9 @@ def _part(placed: Placed, first: int) -> Part:
     middle = 0.5 * (low + high)
     turn = turning(placed.turn)
     goal = middle if placed.at is None else np.asarray(placed.at, dtype=np.float64)
-    return Part(name=placed.name, body=placed.body, first=first, turn=turn, shift=goal - turn @ middle)
+    return Part(
+        name=placed.name, body=placed.body, first=first, turn=turn, shift=goal - turn @ middle, tool=placed.tool
+    )
 
 
 def _joined(parts: Sequence[Part], name: str, full: bool) -> sp.csr_array:

@@ -78,6 +78,7 @@ def run(
         console.print(_tools(scenario.network.users, figures_of_run))
     else:
         _users(console, scenario.network.users, figures_of_run)
+    _rigid_tools(console, scenario.network.users, figures_of_run.get("rigid_tools", []))
     console.print(_ledger(figures_of_run))
     for file in written:
         console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
@@ -115,6 +116,14 @@ def _users(console: "Console", names: tuple[str, ...], figures: dict[str, Any]) 
     ]
     told = [(heading, [_short(value) for value in values]) for heading, values in columns]
     print_columns(console, figures["title"], names, told)
+
+
+def _rigid_tools(console: "Console", names: tuple[str, ...], tools: list[dict[str, Any]]) -> None:
+    """What the hands on rigid tools felt, a line for each."""
+    for tool in tools:
+        felt = f"{number(tool['peak_force_n'], digits=3)} N and {number(tool['peak_torque_nm'], digits=3)} Nm"
+        name = literal(names[int(tool["user"]) - 1])
+        console.print(f"  {name} holds a tool ({tool['kind']}) and feels {felt} at most", highlight=False)
 
 
 def _tools(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":

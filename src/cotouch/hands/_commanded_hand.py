@@ -110,7 +110,7 @@ class CommandedHand:
         self.surface: Surface | None = None
         self.tools: Tools | None = None
         self.contact: Contact | None = None
-        tables = [tool for tool in scenario.tools if tool.user == slot + 1]
+        tables = [tool for tool in scenario.proxies if tool.user == slot + 1]
         balls = [ball_table(slot, body, size=self._size, stiffness=self.usual)] if body.skin is not None else []
         cutting = body.cut_count > 0
         cutting &= scenario.cutting is None or scenario.cutting.may(slot + 1)

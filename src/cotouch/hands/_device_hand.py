@@ -79,7 +79,7 @@ class DeviceHand:
         self._slot = slot
         self._nodes: list[GraspedNode] = []
         users = scenario.network.size
-        own = [table for table in scenario.tools if table.user == slot + 1]
+        own = [table for table in scenario.proxies if table.user == slot + 1]
         tables = _tables(own, body, slot, wanted)
         if tables:
             still = np.zeros((users, body.nodes, body.dimension))

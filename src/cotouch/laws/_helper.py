@@ -85,12 +85,13 @@ def brake(end: End, energy: float, least: float, most: float) -> None:
 
 
 @kernel
-def feel(hand: Float, ports: Ports) -> None:
+def feel(hand: Float, ports: Ports, weight: Float) -> None:
     """The force of the hands on every row and axis, from those of the ports that they have.
 
     Args:
         hand: result, flat, (size,) [N].
         ports: after the step.
+        weight: of a link, flat; what it is 0 of, a tool, links do not know, nor who holds that.
     """
     dense, width = ports.shape.shape[0] > 0, ports.force.shape[1]
     for place in range(hand.shape[0]):
@@ -105,3 +106,6 @@ def feel(hand: Float, ports: Ports) -> None:
             else:
                 place = at(ports.row, p) * width + axis
                 put(hand, place, at(hand, place) + force)
+    for place in range(hand.shape[0]):
+        if at(weight, place) == 0.0:
+            put(hand, place, 0.0)

@@ -328,7 +328,7 @@ def _wish(
         wish = pull * (load(sample, r, lanes) - x_then) + damp * (load(v_there, r, lanes) - v_then)
         hand, w = load(hands, r, lanes), load(weight, r, lanes)
         if total(size(hand)) != 0.0:
-            wish = wish + each * hand / w
+            wish = wish + where(w, each * hand / w, splat(0.0, lanes))  # links do not know of tools
         wish = trust * wish
         store(wished, r, wish, lanes)
         square = square + w * wish * wish

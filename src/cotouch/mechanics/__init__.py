@@ -85,6 +85,7 @@ from cotouch.mechanics._step import settle, step
 from cotouch.mechanics._stretch import approach, mixed_stretch, stretches
 from cotouch.mechanics._surface import Surface, surface_of
 from cotouch.mechanics._toll import checked_toll, encoder_toll, most_toll, opening_energy
+from cotouch.mechanics._tool_bodies import push_of, tell_push, unsettled
 from cotouch.mechanics._tools import (
     AWAY,
     BLADE,
@@ -225,6 +226,7 @@ __all__ = [
     "pool",
     "press",
     "press_skin",
+    "push_of",
     "put",
     "register_coupling",
     "relief_on",
@@ -246,10 +248,12 @@ __all__ = [
     "store",
     "stretches",
     "surface_of",
+    "tell_push",
     "tools",
     "total",
     "unheard",
     "unseen_place",
+    "unsettled",
     "upper",
     "virtual_coupling_limit",
     "where",

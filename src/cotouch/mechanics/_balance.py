@@ -95,7 +95,6 @@ def weigh(
     weighed[OUTSIDE], weighed[PASSED] = outside, 1.0 if passed else 0.0
     before, was_outside = memory[ENERGY], op.firmness * memory[AT_WORLD]
     outside, rubbed = op.firmness * outside, op.firmness * rubbed
-    gravity = op.firmness * load(force.gravity, 0, lanes)
     zero = splat(0.0, lanes)
     held, was_held, dragged, weight, fallen = zero, zero, zero, zero, zero
     momentum, moving = zero, zero
@@ -111,8 +110,9 @@ def weigh(
         held = held + hold * (x * x)
         was_held = was_held + hold * (x0 * x0)
         dragged = dragged + at(op.drag, i) * (rate * rate)
-        weight = weight + m * x
-        fallen = fallen + m * rate
+        gravity = (m * op.firmness) * load(force.gravity, i, lanes)
+        weight = weight + gravity * x
+        fallen = fallen + gravity * rate
         momentum = momentum + m * v
         moving = moving + m * (v * v)
         mass += m
@@ -121,7 +121,7 @@ def weigh(
         local += T * local_damping[w] * work.quadratic[w]
         extra += T * extra_damping[w] * work.quadratic[w]
     lost = T * (op.firmness * power + total(dragged))
-    risen = op.firmness * (energy - before) + 0.5 * (total(held) - total(was_held)) - T * total(gravity * fallen)
+    risen = op.firmness * (energy - before) + 0.5 * (total(held) - total(was_held)) - T * total(fallen)
     risen += outside - was_outside + rubbed
     given = (gain - local - extra) / op.copy_scale
     kinetic = 0.5 * total(moving)
@@ -146,10 +146,10 @@ def weigh(
     # What rounding of places does to the energy of a strained body: too little to tell motion from rest by.
     weighed[ROUGH] = op.firmness * (force.grain + 2.0 * math.sqrt(force.grain * (abs(energy) + abs(before))))
     weighed[GRAIN] = grain_of(force.world, outside + was_outside)
-    weighed[ROUGH] += weighed[GRAIN] + unsettled(force.world, rubbed + T * abs(total(gravity * fallen)))
+    weighed[ROUGH] += weighed[GRAIN] + unsettled(force.world, rubbed + T * abs(total(fallen)))
     if not weighed[NOISE] + weighed[ROUGH] < math.inf:  # no rounding, and nothing closes it
         weighed[TARGET], weighed[HAVE], weighed[ABOUT], weighed[NOISE], weighed[ROUGH] = -1.0, 1.0, 1.0, 0.0, 0.0
-    ledger[ELASTIC] = op.copy_scale * (op.firmness * energy + 0.5 * total(held) - total(gravity * weight) + outside)
+    ledger[ELASTIC] = op.copy_scale * (op.firmness * energy + 0.5 * total(held) - total(weight) + outside)
     ledger[WORLD_LOSS], ledger[WORLD_STORED] = op.copy_scale * rubbed, op.copy_scale * outside
     tell_world(force.world, op.copy_scale * op.firmness, ledger)
     ledger[BODY_LOSS] = op.copy_scale * (lost + rubbed)

@@ -221,7 +221,6 @@ def _share_out(
     if parts is None:
         return
     rows, share = op.mass.shape[0], 1.0 / op.copy_scale
-    gravity = op.firmness * load(force.gravity, 0, lanes)
     held = False
     for b in range(parts.held.shape[0]):
         held = held or at(parts.held, b) != 0
@@ -233,6 +232,7 @@ def _share_out(
         b, m, hold = at(parts.part, i), at(op.mass, i), at(op.ground, i)
         x, x0 = load(state.position, i, lanes), load(work.ahead, i, lanes)
         v, v0, rate = load(state.velocity, i, lanes), load(work.pull, i, lanes), load(work.mean, i, lanes)
+        gravity = op.firmness * load(force.gravity, i, lanes)
         own = T * total(gravity * (m * rate)) - m * total((v - v0) * rate)
         own -= 0.5 * hold * total((x - x0) * (x + x0)) + T * at(op.drag, i) * total(rate * rate)
         for w in range(op.weight.shape[0]):

@@ -174,7 +174,7 @@ def closed_step(
             shorter = 0.0 if still or attempt >= LAST_ATTEMPT - 1 else 0.5
             refused = refused or (not still and shorter == 0.0)
             length *= shorter
-            shorten(force.parts, work.mean, shorter, still or attempt >= LAST_OF_ALL - 1, lanes)
+            shorten(force.parts, work.mean, shorter, attempt >= LAST_OF_ALL - 1, lanes)
         attempt += 1
     weighed = work.weighed
     rounded = abs(weighed[TARGET] - weighed[HAVE]) <= max(weighed[NOISE], weighed[ROUGH])
@@ -198,12 +198,11 @@ def closed_settle(
     rows, memory = op.mass.shape[0], state.memory
     zero = splat(0.0, lanes)
     held, weight, moving = zero, zero, zero
-    gravity = op.firmness * load(force.gravity, 0, lanes)
     begin(force.law, memory, force.behind)
     for i in range(rows):
         x, v, m = load(state.position, i, lanes), load(state.velocity, i, lanes), at(op.mass, i)
         held = held + at(op.ground, i) * (x * x)
-        weight = weight + m * x
+        weight = weight + (m * op.firmness) * (load(force.gravity, i, lanes) * x)
         moving = moving + m * (v * v)
         store(work.pull, i, zero, lanes)
     energy, _ = evaluate(force.law, memory, state.position, state.position, work.pull, _MANY, lanes)
@@ -212,7 +211,7 @@ def closed_settle(
     memory[ENERGY], memory[MOTION], memory[LEFT], memory[AT_WORLD] = energy, 0.5 * total(moving), 0.0, outside
     ledger[KINETIC] = 0.5 * op.copy_scale * total(moving)
     outside = op.firmness * outside
-    ledger[ELASTIC] = op.copy_scale * (op.firmness * energy + 0.5 * total(held) - total(gravity * weight) + outside)
+    ledger[ELASTIC] = op.copy_scale * (op.firmness * energy + 0.5 * total(held) - total(weight) + outside)
     ledger[WORLD_STORED] = op.copy_scale * outside
 
 

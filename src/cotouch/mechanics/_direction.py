@@ -252,8 +252,8 @@ def predict(
         store(work.ahead, i, load(state.position, i, lanes) + T * load(rate, i, lanes), lanes)
         store(work.pull, i, zero, lanes)
     resist(force.law, state.memory, state.position, work.ahead, rate, work.pull, lanes)
-    gravity = op.firmness * load(force.gravity, 0, lanes)
     for i in range(rows):
+        gravity = op.firmness * load(force.gravity, i, lanes)
         tension = op.firmness * load(work.pull, i, lanes) - at(op.mass, i) * gravity
         tension = tension + at(op.ground, i) * load(state.position, i, lanes)
         own = load(rate, i, lanes)

@@ -39,7 +39,7 @@ class BodyForce(NamedTuple):
 
     Attributes:
         law: one of `LAWS`.
-        gravity: acceleration, (1, 4) [m/s²].
+        gravity: acceleration of each row, (rows, 4) [m/s²]; a tool among the bodies has none.
         directions: how often a step looks where its force leads before it moves, >= 1.
         grain: energy that the rounding of places alone makes, of the whole body [J].
         world: what the body's skin meets; None: nothing.

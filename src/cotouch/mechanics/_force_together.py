@@ -152,7 +152,7 @@ def _begin(law, memory, behind):
 
 @part
 def _forget_all(law: Together, memory: Float) -> None:
-    for place in range(memory.shape[0]):
+    for place in range(at(law.memory, law.kind.shape[0])):
         put(memory, place, 0.0)
     for b in range(law.kind.shape[0]):
         forget(memory[at(law.memory, b) : at(law.memory, b + 1)], 0)

@@ -149,8 +149,11 @@ def force_of(body: Body, material: Material, order: Int | None) -> tuple[BodyFor
     else:
         law, rotations = _law(body, material, row, rest)
         size, directions = memory_size(rotations), _directions(body, material)
-    gravity = np.zeros((1, 4))
-    gravity[0, : body.dimension] = material.gravity[: body.dimension]
+    gravity = np.zeros((nodes, 4))
+    gravity[:, : body.dimension] = material.gravity[: body.dimension]
+    for part in body.parts:
+        if part.tool is not None:
+            gravity[row[part.first : part.last]] = 0.0
     # Places are as large as the body, or some times that where it has travelled.
     away = _FAR * np.finfo(np.float64).eps * float(np.abs(rest).max())
     grain = away * away * float(abs(body.stiffness_int).sum())

@@ -97,6 +97,8 @@ class Meeting(NamedTuple):
         friction: likewise, coefficient of what does not slip.
         kinetic: and of what does.
         part: body of each point, (P,).
+        tool: whether each body is a tool, in the copy of its user alone, (bodies,).
+        away: where in a copy's memory it is which of them are not in it; negative: there are no tools.
         points: first point of each body, (bodies + 1,).
         vertices: first vertex of each, (bodies + 1,).
         boxes: first box of each, (bodies + 1,).
@@ -135,6 +137,7 @@ class Meeting(NamedTuple):
         alike: scratch: what resists motion between rows that are solved for at once, the same along each axis, on
             the diagonal and below it, (rows, rows), or (0, 0) [Ns/m].
         met: result.
+        push: result: what tools do to the rows of the others, for the whole body, (rows, 4); (0, 4) without tools [N].
     """
 
     moves: int
@@ -143,6 +146,8 @@ class Meeting(NamedTuple):
     friction: Float
     kinetic: Float
     part: Int
+    tool: Int
+    away: int
     points: Int
     vertices: Int
     boxes: Int
@@ -179,3 +184,4 @@ class Meeting(NamedTuple):
     moved: Int
     alike: Float
     met: Met
+    push: Float

@@ -14,6 +14,7 @@ from cotouch.mechanics._kernel import block, inner, part
 from cotouch.mechanics._meeting import Meeting
 from cotouch.mechanics._meeting_look import gather, make_ready, point_at
 from cotouch.mechanics._meeting_near import FAR_SIDE, crossing, follow
+from cotouch.mechanics._tool_bodies import note_push
 from cotouch.mechanics._vector import at, put
 from cotouch.mechanics._world import World
 from cotouch.mechanics._world_offset import follow_offset, offset_of
@@ -24,13 +25,6 @@ _AGAINST = -0.5
 _TURNED, _ROUNDING = 0.5, 1e-13
 # Force on a point, energy held, energy lost, what resists motion, stretch at the end, whether it slips.
 _Met = tuple[float, float, float, float, float, float, float, float, float, float]
-
-
-@inner
-def begin_bodies(m: Meeting | None) -> None:
-    """A step begins: what is near where is not known."""
-    if m is not None:
-        put(m.entries, 0, 0)
 
 
 @inner
@@ -193,7 +187,7 @@ def press_bodies(
     """
     if m is None:
         return 0.0, 0.0
-    make_ready(world, m, x, ahead)
+    make_ready(world, m, memory, x, ahead)
     points = world.area.shape[0]
     slot, change, size = world.kind.shape[0] * points, 0.0, 0.0
     for n in range(m.alike.size):
@@ -274,7 +268,7 @@ def weigh_bodies(
     """What bodies hold between them after a motion and lost in it, and whether a point passed; see `weigh_world`."""
     if m is None:
         return 0.0, 0.0, False
-    make_ready(world, m, x, ahead)
+    make_ready(world, m, memory, x, ahead)
     points = world.area.shape[0]
     slot, energy, lost, passed = world.kind.shape[0] * points, 0.0, 0.0, False
     kept = world.first + 4 * world.told.shape[0]
@@ -283,6 +277,8 @@ def weigh_bodies(
     _alone(m)
     for p in range(points if world.offset >= 0 else 0):
         put(memory, world.offset + world.told.shape[0] + slot + p, 0.0)
+    for n in range(4 * m.push.shape[0]):
+        put(m.push, n, 0.0)
     for e in range(at(m.entries, 1)):
         p, other = at(m.point, e), at(m.other, e)
         px, py, pz = point_at(world, p, x)
@@ -324,6 +320,8 @@ def weigh_bodies(
         put(memory, here + 2, ez)
         put(memory, here + 3, slips)
         follow_offset(world, memory, slot + p, at(m.ended, (e, 0)))
+        if m.push.shape[0] > 0 and at(m.tool, own) != at(m.tool, other):
+            note_push(world, m, e, f, fx, fy, fz)
     return energy, lost, passed
 
 
@@ -363,11 +361,11 @@ def _side(m: Meeting, f: int, a: int) -> float:
 
 
 @part
-def settle_bodies(world: World, m: Meeting | None, x: Float) -> float:
+def settle_bodies(world: World, m: Meeting | None, memory: Float, x: Float) -> float:
     """What bodies hold between them where the copy is, without friction [J]."""
     if m is None:
         return 0.0
-    gather(world, m, x, 0.0)
+    gather(world, m, memory, x, 0.0)
     put(m.entries, 0, 0)
     energy = 0.0
     for e in range(at(m.entries, 1)):
@@ -380,15 +378,16 @@ def settle_bodies(world: World, m: Meeting | None, x: Float) -> float:
 
 
 @block
-def deepest_between(world: World, m: Meeting, x: Float) -> tuple[float, int, int]:
+def deepest_between(world: World, m: Meeting, memory: Float, x: Float) -> tuple[float, int, int]:
     """How deep the deepest point of any body is in another, less than 0 outside [m], and which two these are.
 
     Args:
         world: the points.
         m: the bodies.
+        memory: of the copy; says which tools are away from it.
         x: displacements of the rows, (rows, width) [m].
     """
-    gather(world, m, x, 0.0)
+    gather(world, m, memory, x, 0.0)
     put(m.entries, 0, 0)
     most, one, two = -math.inf, 0, 0
     for e in range(at(m.entries, 1)):

@@ -84,13 +84,38 @@ def _near(m: Meeting, one: int, two: int, reach: float) -> bool:
     return True
 
 
+@inner
+def begin_bodies(m: Meeting | None) -> None:
+    """A step begins: what is near where is not known."""
+    if m is not None:
+        put(m.entries, 0, 0)
+
+
+@inner
+def is_away(m: Meeting, memory: Float, body: int) -> bool:
+    """Whether a body is another user's tool, which is not in this copy."""
+    return m.away >= 0 and body < m.moves and at(memory, m.away + body) != 0.0
+
+
+@inner
+def point_away(m: Meeting | None, memory: Float, p: int) -> bool:
+    """Whether a point is of a tool that is not in this copy."""
+    if m is None:
+        return False
+    return is_away(m, memory, at(m.part, p))
+
+
 @part
-def gather(world: World, m: Meeting, x: Float, bound: float) -> None:
+def gather(world: World, m: Meeting, memory: Float, x: Float, bound: float) -> None:
     """Looks which points may meet which body while no row moves farther than `bound`, and what is near them."""
     bodies, reach, count, used = m.touched.shape[0], 2.0 * m.lever * bound, 0, 0
     for b in range(bodies):
         put(m.touched, b, 0)
-        if b < m.moves:
+        if is_away(m, memory, b):  # an empty box is near nothing
+            for a in range(3):
+                put(m.low, (at(m.boxes, b), a), math.inf)
+                put(m.high, (at(m.boxes, b), a), -math.inf)
+        elif b < m.moves:
             _lay(m, x, b, m.place)
             _enclose(m, b, False)
     for one in range(bodies):
@@ -99,7 +124,7 @@ def gather(world: World, m: Meeting, x: Float, bound: float) -> None:
                 put(m.touched, one, 1)
                 put(m.touched, two, 1)
     for b in range(bodies):
-        if at(m.within, b) > 0.0:
+        if at(m.within, b) > 0.0 and not is_away(m, memory, b):
             put(m.touched, b, 1)
         if at(m.touched, b) != 0 and b < m.moves:
             _enclose(m, b, True)
@@ -140,7 +165,7 @@ def gather(world: World, m: Meeting, x: Float, bound: float) -> None:
 
 
 @part
-def make_ready(world: World, m: Meeting, x: Float, ahead: Float) -> None:
+def make_ready(world: World, m: Meeting, memory: Float, x: Float, ahead: Float) -> None:
     """Makes sure that what is near is known for a motion, and brings the vertices of who meets to its end."""
     farthest = 0.0
     for i in range(x.shape[0]):
@@ -152,7 +177,7 @@ def make_ready(world: World, m: Meeting, x: Float, ahead: Float) -> None:
         farthest = max(farthest, dx * dx + dy * dy + dz * dz)
     farthest = math.sqrt(farthest)
     if at(m.entries, 0) == 0 or farthest > at(m.bound, 0):
-        gather(world, m, x, max(_AHEAD * farthest, m.slack))
+        gather(world, m, memory, x, max(_AHEAD * farthest, m.slack))
     if at(m.entries, 1) > 0:
         for b in range(m.moves):
             if at(m.touched, b) != 0:

@@ -12,6 +12,7 @@ from cotouch.body import Body, CutSkin
 from cotouch.mechanics._meeting import Between, Meeting, Met, Parts
 from cotouch.mechanics._meeting_own import own_of, unmet
 from cotouch.mechanics._shape_solid import Solid
+from cotouch.mechanics._tool_bodies import copies_of
 from cotouch.mechanics._world import Obstacle
 
 Int = npt.NDArray[np.int32]
@@ -73,6 +74,7 @@ def meeting_of(
     order: Int | None,
     faces: CutSkin | None,
     hidden: Int,
+    away: int,
 ) -> Meeting:
     """Several bodies that meet each other, and solids that stand still, for the kernels.
 
@@ -85,6 +87,7 @@ def meeting_of(
         order: row k of the kernels is node `order[k]`; None: node k.
         faces: the skin with its inner faces, of what can be cut.
         hidden: where it is written which of its triangles are not there, those of solids last.
+        away: where in a copy's memory it is which tools are not in it; negative: there are none.
     """
     skin = body.skin if faces is None else faces.skin
     assert skin is not None
@@ -126,17 +129,21 @@ def meeting_of(
             body, sp.csr_array(points[:own]), carry, corner[: triangles[moving]], order, part[:own]
         )
         skips[own + 1 :] = skip.size
+    shares = _shares(
+        [one.vertices[one.triangles] for one in (*skins, *still)], np.append(copies_of(body), np.ones(len(still)))
+    )
     low, high = np.zeros((boxes[-1], 4)), np.zeros((boxes[-1], 4))
     for one in range(moving, bodies):
         _enclose(low, high, np.concatenate(child), np.concatenate(leaf), rest[corner], boxes[one], boxes[one + 1])
     return Meeting(
         moves=moving,
-        stiffness=_of_pairs(between.stiffness, [one.stiffness for one in solids], moving)
-        * _shares([one.vertices[one.triangles] for one in (*skins, *still)]),
+        stiffness=_of_pairs(between.stiffness, [one.stiffness for one in solids], moving) * shares,
         loss=_of_pairs(between.loss, [one.loss for one in solids], moving),
         friction=_of_pairs(between.friction, [one.friction for one in solids], moving),
         kinetic=_of_pairs(_slipping(between), [_slipping(one) for one in solids], moving),
         part=part,
+        tool=np.array([one.tool is not None for one in body.parts] + len(still) * [False], dtype=np.int32),
+        away=away,
         points=np.searchsorted(part, np.arange(bodies + 1)).astype(np.int32),
         vertices=vertices.astype(np.int32),
         boxes=np.array(boxes, dtype=np.int32),
@@ -173,6 +180,7 @@ def meeting_of(
         moved=np.zeros(body.nodes, dtype=np.int32),
         alike=np.zeros((body.nodes,) * 2 if body.rigid else (0, 0)),
         met=met_of(bodies),
+        push=np.zeros((body.nodes if body.tools else 0, 4)),
     )
 
 
@@ -199,10 +207,12 @@ def _enclose(low: Float, high: Float, child: Int, leaf: Int, corners: Float, fir
             low[box], high[box] = own.min(axis=0), own.max(axis=0)
 
 
-def _shares(corners: Sequence[Float]) -> Float:
+def _shares(corners: Sequence[Float], copies: Float) -> Float:
     """How much the points of one body count in another, (bodies, bodies): of one size half each."""
     area = np.array([np.linalg.norm(np.cross(c[:, 1] - c[:, 0], c[:, 2] - c[:, 0]), axis=1).sum() for c in corners])
-    return 1.0 / (1.0 + (area[:, None] / area[None, :]) ** _SMALLER)
+    # One copy only meets a tool, all of it; the tool's own points have that in their areas.
+    whole = np.where(copies[:, None] > 1.0, 1.0, copies[None, :])
+    return whole / (1.0 + (area[:, None] / area[None, :]) ** _SMALLER)
 
 
 def _tree(centre: Float, first_box: int, first: int) -> tuple[Int, Int]:

@@ -10,7 +10,7 @@ import scipy.linalg as la
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
-from cotouch.body import Body, Material, Matrix, Truncation, canonical, pulls_of
+from cotouch.body import Body, Material, Matrix, Truncation, canonical
 from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import fresh_memory
@@ -20,6 +20,7 @@ from cotouch.mechanics._materials import cut_law, force_of, outline_of
 from cotouch.mechanics._meeting import Between
 from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, halves, mixed
 from cotouch.mechanics._state import Workspace, workspace
+from cotouch.mechanics._tool_bodies import link_weights
 from cotouch.mechanics._vector import WIDTHS
 from cotouch.mechanics._world import Obstacle, solids_of
 from cotouch.mechanics._world_points import world_of
@@ -230,8 +231,7 @@ def _of_material(
         raise UnsupportedError(
             f'model is "{material.model}", so link weights must be {body.nodes} x {body.nodes}, alike along each axis'
         )
-    own = [outline.mass, outline.damping, outline.stiffness, sp.csr_array(sp.diags_array(pulls_of(body)))]
-    matrices = [*own, *(m for m, _ in fitted)]
+    matrices = [outline.mass, outline.damping, outline.stiffness, *link_weights(body, [m for m, _ in fitted])]
     order, split = (None, 0) if body.rigid else halves(matrices)
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
     force, memory = force_of(body, material, order)

@@ -35,7 +35,7 @@ def show(world: World) -> None:
 
 
 @part
-def _depths(world: World, x: Float) -> None:
+def _depths(world: World, memory: Float, x: Float) -> None:
     """Depth of each point in each obstacle and in other bodies, where a step ended, and κ, into columns of `told`."""
     points = world.area.shape[0]
     for n in range(world.told.shape[0]):
@@ -48,15 +48,15 @@ def _depths(world: World, x: Float) -> None:
             deep, _, _, _, _ = depth(at(world.kind, s), world.numbers, s, px, py, pz)
             put(world.told, (s * points + p, 2), at(world.stiffness, s))
             put(world.told, (s * points + p, 3), deep)
-    _depths_between(world, world.bodies, x)
+    _depths_between(world, world.bodies, memory, x)
 
 
 @part
-def _depths_between(world: World, m: Meeting | None, x: Float) -> None:
+def _depths_between(world: World, m: Meeting | None, memory: Float, x: Float) -> None:
     """Likewise in other bodies."""
     if m is None:
         return
-    gather(world, m, x, 0.0)
+    gather(world, m, memory, x, 0.0)
     put(m.entries, 0, 0)
     first = world.kind.shape[0] * world.area.shape[0]
     for e in range(at(m.entries, 1)):
@@ -74,7 +74,7 @@ def keep_depths(world: World, memory: Float, x: Float) -> None:
         memory: of the copy, after a step.
         x: where it came to, displacements of the rows [m].
     """
-    _depths(world, x)
+    _depths(world, memory, x)
     count, points = world.told.shape[0], world.area.shape[0]
     for n in range(count):
         off = at(memory, world.offset + count + n)
@@ -91,7 +91,7 @@ def meet_anew(world: World, memory: Float, x: Float) -> float:
         memory: of the copy; friction and offsets are changed.
         x: where it is, displacements of the rows [m].
     """
-    _depths(world, x)
+    _depths(world, memory, x)
     count, points, energy = world.told.shape[0], world.area.shape[0], 0.0
     for n in range(count):
         p = n % points

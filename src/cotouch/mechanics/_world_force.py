@@ -12,13 +12,13 @@ import math
 from cotouch.arrays import Float
 from cotouch.mechanics._kernel import block, inner, part
 from cotouch.mechanics._meeting_force import (
-    begin_bodies,
     begin_work,
     book_work,
     press_bodies,
     settle_bodies,
     weigh_bodies,
 )
+from cotouch.mechanics._meeting_look import begin_bodies, point_away
 from cotouch.mechanics._shape import depth, passes
 from cotouch.mechanics._state import WORLD_FORCE, Workspace
 from cotouch.mechanics._vector import at, load, put, splat, store
@@ -185,7 +185,7 @@ def press_world(
     for n in range(world.couple.size):
         put(world.couple, n, 0.0)
     for p in range(world.moves if world.kind.shape[0] > 0 else 0):
-        if at(world.there, p) == 0.0:
+        if at(world.there, p) == 0.0 or point_away(world.bodies, memory, p):
             continue
         ux, uy, uz = _place(world, p, x)
         vx, vy, vz = _place(world, p, ahead)
@@ -277,7 +277,7 @@ def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: f
         store(world.force, s, zero, (0, 0, 0, 0))
     begin_work(world.bodies)
     for p in range(world.moves if world.kind.shape[0] > 0 else 0):
-        if at(world.there, p) == 0.0:
+        if at(world.there, p) == 0.0 or point_away(world.bodies, memory, p):
             continue
         ux, uy, uz = _place(world, p, x)
         vx, vy, vz = _place(world, p, ahead)
@@ -330,16 +330,17 @@ def tell_world(world: World | None, copy_scale: float, ledger: Float) -> None:
 
 
 @block
-def deepest_point(world: World, x: Float) -> tuple[float, int]:
+def deepest_point(world: World, memory: Float, x: Float) -> tuple[float, int]:
     """How deep the deepest point is in any obstacle, less than 0 outside [m], and in which.
 
     Args:
         world: what the body may meet.
+        memory: of the copy; says which tools are away from it.
         x: displacements from rest, (rows, width) [m].
     """
     most, where = -math.inf, 0
     for p in range(world.moves):
-        if at(world.there, p) == 0.0:
+        if at(world.there, p) == 0.0 or point_away(world.bodies, memory, p):
             continue
         ux, uy, uz = _place(world, p, x)
         rx, ry, rz = at(world.rest, (p, 0)) + ux, at(world.rest, (p, 1)) + uy, at(world.rest, (p, 2)) + uz
@@ -359,18 +360,12 @@ def settle_world(world: World | None, memory: Float, x: Float) -> float:
     for n in range(world.first, memory.shape[0]):
         put(memory, n, 0.0)
     for p in range(world.moves):
-        if at(world.there, p) == 0.0:
+        if at(world.there, p) == 0.0 or point_away(world.bodies, memory, p):
             continue
         ux, uy, uz = _place(world, p, x)
+        rx, ry, rz = at(world.rest, (p, 0)) + ux, at(world.rest, (p, 1)) + uy, at(world.rest, (p, 2)) + uz
         for s in range(world.kind.shape[0]):
-            deep, _, _, _, _ = depth(
-                at(world.kind, s),
-                world.numbers,
-                s,
-                at(world.rest, (p, 0)) + ux,
-                at(world.rest, (p, 1)) + uy,
-                at(world.rest, (p, 2)) + uz,
-            )
+            deep, _, _, _, _ = depth(at(world.kind, s), world.numbers, s, rx, ry, rz)
             if deep > 0.0:
                 energy += 0.5 * at(world.stiffness, s) * at(world.area, p) * at(world.there, p) * deep * deep
-    return energy + settle_bodies(world, world.bodies, x)
+    return energy + settle_bodies(world, world.bodies, memory, x)

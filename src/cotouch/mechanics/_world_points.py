@@ -14,6 +14,7 @@ from cotouch.mechanics._meeting import Between
 from cotouch.mechanics._meeting_skin import meeting_of, part_of_nodes, thickness_of
 from cotouch.mechanics._shape import NUMBERS, packed
 from cotouch.mechanics._shape_solid import Solid
+from cotouch.mechanics._tool_bodies import copies_of
 from cotouch.mechanics._world import Obstacle, World, solids_of
 
 Int = npt.NDArray[np.int32]
@@ -64,7 +65,9 @@ def world_of(
     if between is not None:  # point after point of each body
         of = part_of_nodes(body)[carry.indices[carry.indptr[:-1]]]
         sort = np.argsort(of, kind="stable")
-        of, places, area = of[sort], places[sort], area[sort]
+        of, places = of[sort], places[sort]
+        # A tool is in one copy only, which meets all of it.
+        area = area[sort] * copies_of(body)[of]
         carry, parted = sp.csr_array(carry[sort]), sp.csr_array(parted[sort])
     for number, solid in enumerate(still, start=len(body.parts)):
         bare = sp.csr_array((solid.vertices.shape[0], body.nodes))
@@ -82,9 +85,11 @@ def world_of(
     for s, (_, own) in enumerate(shapes):
         numbers[s, : len(own)] = own
     stiffness = np.array([one.stiffness for one, _ in shaped])
-    away = _ROUNDING * np.finfo(np.float64).eps * float(np.abs(rest).max())
+    off = _ROUNDING * np.finfo(np.float64).eps * float(np.abs(rest).max())
     slots = len(shapes) + (between is not None)
     count = slots * places.shape[0]
+    away, marks = (first, len(body.parts)) if body.tools else (-1, 0)  # before all that is forgotten
+    first += marks
     # The inner faces are not there yet.
     hidden, shown = np.zeros(0, dtype=np.int32), np.ones(places.shape[0])
     if faces is not None:
@@ -106,7 +111,7 @@ def world_of(
         loss=np.array([one.loss for one, _ in shaped]),
         friction=np.array([one.friction for one, _ in shaped]),
         kinetic=np.array([one.friction if one.kinetic is None else one.kinetic for one, _ in shaped]),
-        grain=away * away * firm * float(area[shown > 0.0].sum()),
+        grain=off * off * firm * float(area[shown > 0.0].sum()),
         hold=np.zeros(body.nodes),
         couple=np.zeros((3 * body.nodes, 3 * body.nodes) if body.rigid else (0, 0)),
         told=np.zeros((count, 4)),
@@ -120,9 +125,9 @@ def world_of(
         part_of=np.ascontiguousarray(parted.data, dtype=np.float64),
         hidden=hidden,
         gone=np.zeros(1),
-        bodies=None if between is None else meeting_of(body, between, solids, carry, of, order, faces, hidden),
+        bodies=None if between is None else meeting_of(body, between, solids, carry, of, order, faces, hidden, away),
     )
-    return world, (8 if faces is None else 10) * count
+    return world, marks + (8 if faces is None else 10) * count
 
 
 def _with_empty(matrix: sp.csr_array, rows: int) -> sp.csr_array:

@@ -344,5 +344,11 @@ def _live(scenario: Scenario, source: str) -> None:
         raise ScenarioError(
             f"{source}: contact.texture.file is given, but members read no pictures of others; give heights"
         )
+    if scenario.rigid_tools:
+        number = 1 + next(k for k, tool in enumerate(scenario.tools) if tool in scenario.rigid_tools)
+        raise ScenarioError(
+            f"{source}: tools[{number}] is a rigid body, which only the simulator has so far; live, take a ball or a "
+            'stylus (kind "touch")'
+        )
     if scenario.steps.random is not None:
         raise ScenarioError(f"{source}: steps.random is given; live peers keep a period or a rate")

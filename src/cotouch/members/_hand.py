@@ -191,11 +191,11 @@ class ScriptedHand:
         self.contact: Contact | None = None
         self._touching = None
         self._slot = slot
-        if any(tool.user == slot + 1 for tool in scenario.tools):
+        if any(tool.user == slot + 1 for tool in scenario.proxies):
             still = np.zeros((users, body.nodes, body.dimension))
             lengths = np.tile([at.period, at.longest], (users, 1))
             self._touching, _ = touching_of(
-                scenario.tools, users, body, model, lengths, start=still, contact=scenario.contact
+                scenario.proxies, users, body, model, lengths, start=still, contact=scenario.contact
             )
             assert self._touching is not None
             self.surface, self.contact = self._touching.surface, self._touching.contact

@@ -48,17 +48,21 @@ class CopyMemory:
         """Energy that the copy's ends hold together; 0 for a law without a store [J]."""
         return 0.0 if self.law.store is None else float(self.scalars[self._store[0]])
 
-    def feel(self, ports: Ports, contact: Contact | None) -> None:
+    def feel(self, ports: Ports, weight: Float, contact: Contact | None, push: Float | None) -> None:
         """Notes what hands and tools did in a step, for a law that looks at it.
 
         Args:
             ports: after the step.
+            weight: of a link, flat.
             contact: by which tools touched in it; None: they did not.
+            push: of tools that are bodies, on the rows; None without them [N].
         """
         if self.law.feels:
-            feel(self.hand, ports)
+            feel(self.hand, ports, weight)
             if contact is not None:
                 self.touch[:] = contact.work.push.ravel()
+            if push is not None:
+                self.touch[:] = push.ravel()
 
     def help(self, energy: float) -> None:
         """Adds to what they hold.
@@ -273,6 +277,11 @@ class LawLink:
             sent_scalars=self._sent[1],
         )
         return BoundEnd(end)
+
+    @property
+    def weight(self) -> Float:
+        """Diagonal of W, flat, (rows * width,)."""
+        return self._weight
 
     @property
     def seed(self) -> float:

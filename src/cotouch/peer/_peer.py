@@ -33,9 +33,11 @@ from cotouch.mechanics import (
     contact_parts,
     contact_step,
     mixed_stretch,
+    push_of,
     settle,
     step,
     stretches,
+    unsettled,
 )
 from cotouch.peer._allowance import Allowance
 from cotouch.peer._cuts import CutSet
@@ -123,7 +125,7 @@ class Peer:
             model.to_rows(velocity),
             np.zeros((rows, width)),
             np.zeros((rows, width)),
-            np.zeros(model.memory),
+            unsettled(model, index),
         )
         self._lanes = model.lanes
         self._scale = CopyScale(model.operator)
@@ -307,7 +309,8 @@ class Peer:
         for law in joined.laws:
             law.after(work.mean)
         if joined.laws:
-            joined.laws[0].memory.feel(ports, contact)
+            push = push_of(self.model, op.copy_scale * op.firmness)
+            joined.laws[0].memory.feel(ports, joined.laws[0].weight, contact, push)
         if self.cuts is not None:
             self.cuts.end(op, self.steps, ledger)
         self.steps += 1

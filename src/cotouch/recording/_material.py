@@ -244,7 +244,7 @@ class RecordedMaterial:
                 held = begin_world(world, memory, x)
                 _mark(made, cutting, memory, when < index[step])
             if not known:  # a step that touches nothing leaves nothing stretched
-                known = max(_deepest(world, x), _deepest(world, ahead)) <= 0.0
+                known = max(_deepest(world, memory, x), _deepest(world, memory, ahead)) <= 0.0
                 _mark(made, cutting, memory, when <= index[step])
                 held = begin_world(world, memory, ahead)
                 _mark(made, cutting, memory, when <= index[step])
@@ -302,12 +302,12 @@ def _mark(made: "Model", cutting: "Cutting | None", memory: Float, gone: Bool) -
         show_skin(cutting, world, memory)
 
 
-def _deepest(world: "Around", x: Float) -> float:
+def _deepest(world: "Around", memory: Float, x: Float) -> float:
     """How deep the deepest point is in anything [m]."""
     from cotouch.mechanics import deepest_between, deepest_point
 
-    most = deepest_point(world, x)[0]
-    return most if world.bodies is None else max(most, deepest_between(world, world.bodies, x)[0])
+    most = deepest_point(world, memory, x)[0]
+    return most if world.bodies is None else max(most, deepest_between(world, world.bodies, memory, x)[0])
 
 
 def _world_of(arrays: Mapping[str, Any]) -> dict[str, Any]:

@@ -8,6 +8,7 @@ from cotouch.scenario._law_choice import makes_tree, options_of_springs, with_la
 from cotouch.scenario._messages import sentence
 from cotouch.scenario._penetration import resolve_penetration
 from cotouch.scenario._per_user import per_user
+from cotouch.scenario._rigid_tools import RigidTool, with_tools
 from cotouch.scenario._scenario import Scenario
 from cotouch.scenario._surface_tables import TextureTable
 from cotouch.scenario._tables import (
@@ -45,6 +46,7 @@ __all__ = [
     "NonNegative",
     "Positive",
     "Probability",
+    "RigidTool",
     "Scenario",
     "SimulatedDeviceTable",
     "Table",
@@ -73,4 +75,5 @@ __all__ = [
     "tools_of",
     "touching_of",
     "with_law_of_session",
+    "with_tools",
 ]

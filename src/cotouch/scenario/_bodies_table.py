@@ -6,7 +6,7 @@ from typing import Annotated, Any, Self, cast, final
 
 from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
-from cotouch.body import Body, Placed, together
+from cotouch.body import Body, Placed
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Between
 from cotouch.scenario._body_tables import BodySource, FileTable
@@ -94,8 +94,8 @@ def colours_of(tables: list[PartTable]) -> tuple[str | None, ...]:
     return tuple(table.color for table in tables for _ in range(table.copies))
 
 
-def build_bodies(tables: list[PartTable]) -> Body:
-    """Several bodies as one.
+def placed_bodies(tables: list[PartTable]) -> list[Placed]:
+    """Several bodies, each where it belongs.
 
     Args:
         tables: at least one.
@@ -107,7 +107,7 @@ def build_bodies(tables: list[PartTable]) -> Body:
     placed = [one for table in tables for one in table.placed()]
     if len(placed) > _MOST:
         raise ScenarioError(f"there are {len(placed)} bodies; a scenario takes {_MOST}")
-    return together(placed)
+    return placed
 
 
 @final

@@ -98,7 +98,7 @@ def ports_of(hands: list[HandTable], users: int, body: Body, ready: Model) -> tu
         if hand.user > users:
             raise ScenarioError(f"hands[{index}].user is {hand.user}; the network has users 1 to {users}")
         if hand.node > body.holds:
-            raise ScenarioError(f"hands[{index}].node is {hand.node}; the body has nodes 1 to {body.nodes}")
+            raise ScenarioError(f"hands[{index}].node is {hand.node}; the body has nodes 1 to {body.shared}")
     width = ready.width
     entries: list[tuple[int, int, int, int]] = []  # user, hand, axis (or -1: all), row
     for index, hand in enumerate(hands):

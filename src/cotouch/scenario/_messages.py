@@ -5,7 +5,16 @@ from typing import Any, cast
 
 from pydantic import ValidationError
 
-from cotouch.scenario import _bodies_table, _body_tables, _channel, _tables, _tool_tables, _traces, _world_table
+from cotouch.scenario import (
+    _bodies_table,
+    _body_tables,
+    _channel,
+    _rigid_tool_table,
+    _tables,
+    _tool_tables,
+    _traces,
+    _world_table,
+)
 
 # How pydantic says what would be right.
 _SHOULD = "Input should be "
@@ -68,6 +77,8 @@ def _place(parts: tuple[int | str, ...]) -> str:
             place += f"[{part + 1}]"
         elif (depth == 1 and parts[0] == "body") or (depth in {2, 3} and parts[0] == "bodies" and parts[2] == "body"):
             continue  # which sort of body it was taken for
+        elif depth in {3, 4} and parts[0] == "tools" and parts[3] == "solid":
+            continue
         elif depth == 0 or part in _OPTIONS or (depth == len(parts) - 1 and not any(mark in part for mark in "[(-")):
             place += f".{part}" if place else part
     for name in ("float", "int", "str", "bool"):
@@ -78,7 +89,16 @@ def _place(parts: tuple[int | str, ...]) -> str:
 def _options() -> frozenset[str]:
     known = [
         value
-        for module in (_tables, _bodies_table, _body_tables, _channel, _tool_tables, _traces, _world_table)
+        for module in (
+            _tables,
+            _bodies_table,
+            _body_tables,
+            _channel,
+            _rigid_tool_table,
+            _tool_tables,
+            _traces,
+            _world_table,
+        )
         for value in vars(module).values()
     ]
     tables = [table for table in known if isinstance(table, type) and issubclass(table, _tables.Table)]

@@ -14,11 +14,14 @@ from cotouch.body import Body, Placed, together, with_faces
 from cotouch.errors import ScenarioError
 from cotouch.files import list_of, read_text, table_of, toml, toml_text
 from cotouch.network import Network
-from cotouch.scenario._bodies_table import BetweenTable, Parts, PartTable, build_bodies
+from cotouch.scenario._bodies_table import BetweenTable, Parts, PartTable, placed_bodies
 from cotouch.scenario._body_tables import BodySource, FileTable, PointTable
 from cotouch.scenario._channel import Channel
+from cotouch.scenario._held_nodes import held_node, refuse_axes
 from cotouch.scenario._law_choice import choose_law, with_law_of_session
 from cotouch.scenario._messages import sentence
+from cotouch.scenario._rigid_tool_table import RigidToolTable, ToolSource
+from cotouch.scenario._rigid_tools import placed_tools, refuse_unfit
 from cotouch.scenario._tables import (
     HandTable,
     Initial,
@@ -61,7 +64,7 @@ class Scenario(Table):
     synchronisation: Synchronisation = Synchronisation()
     channel: Channel = Channel()
     hands: list[HandTable] = Field(default_factory=list[HandTable])
-    tools: list[ToolTable] = Field(default_factory=list[ToolTable])
+    tools: list[ToolSource] = Field(default_factory=list[ToolSource])
     contact: ContactTable = ContactTable()
     world: WorldTable = WorldTable()
     cutting: CuttingTable | None = None
@@ -103,7 +106,7 @@ class Scenario(Table):
     def _one_or_several(self) -> Self:
         if self.bodies and "body" in self.model_fields_set and self.body != PointTable():
             raise ValueError("body and bodies are given; give [body] for one object, or [[bodies]] for several")
-        self.contact.refuse(self.tools)
+        self.contact.refuse(self.proxies)
         return self
 
     @field_validator("network", mode="before")
@@ -141,7 +144,8 @@ class Scenario(Table):
         table["network"] = Network.from_table(table["network"], source=source)
         if folder is not None:
             inner = (("world", "meshes"), ("channel", "trace"), ("contact", "texture"))
-            for holder, name in ((table, "body"), (table, "bodies"), *((table.get(a), b) for a, b in inner)):
+            own = ((table, name) for name in ("body", "bodies", "tools"))
+            for holder, name in (*own, *((table.get(a), b) for a, b in inner)):
                 _rooted(holder, name, folder)
         return cls.make(source=source, **table)
 
@@ -173,7 +177,8 @@ class Scenario(Table):
                 raise ScenarioError(f'"{table}" is no part of a scenario; there are {", ".join(tables)}')
             tables[table] = {**self._options_of(table, tables[table]), option: value} if option else value
         result = type(self).make(**tables)
-        several = {"body", "bodies", "hands", "tools", "world", "cutting"}
+        several = {"body", "bodies", "between", "hands", "tools", "world", "cutting"}
+        several |= {"network"} if self.rigid_tools else set()  # how many users there are makes up their mass
         if not {name.partition("__")[0] for name in changes} & several:
             result._built = self._built
         if "channel" not in {name.partition("__")[0] for name in changes}:
@@ -197,9 +202,19 @@ class Scenario(Table):
         """Name of the links' law, and the parameters that are given: those named, else the default of `choose_law`."""
         return self.synchronisation.law_given or (choose_law(self), {})
 
+    @property
+    def proxies(self) -> list[ToolTable]:
+        """Its tools that are balls, styluses, grasps and blades."""
+        return [tool for tool in self.tools if isinstance(tool, ToolTable)]
+
+    @property
+    def rigid_tools(self) -> list[RigidToolTable]:
+        """Its tools that are rigid bodies."""
+        return [tool for tool in self.tools if isinstance(tool, RigidToolTable)]
+
     def files(self) -> tuple[Path, ...]:
         """What it reads besides its own file: a mesh, a trace, a texture."""
-        bodies = [self.body, *(part.body for part in self.bodies)]
+        bodies = [self.body, *(part.body for part in self.bodies), *(tool.solid for tool in self.rigid_tools)]
         meshes = (*(body for body in bodies if isinstance(body, FileTable)), *self.world.meshes)
         tables = (*meshes, self.channel.trace, self.contact.texture)
         return tuple(Path(table.file) for table in tables if table is not None and table.file is not None)
@@ -219,8 +234,8 @@ class Scenario(Table):
         if self._built is None:
             body = self._weighing(self._bare())
             if isinstance(self.body, FileTable) and self.body.modes is not None:
-                held = {self._node(index, body) - 1 for index in range(len(self.hands))}
-                for tool in self.tools:  # what a tool meets first yields as the whole body does
+                held = {held_node(self.hands[index], index, body) - 1 for index in range(len(self.hands))}
+                for tool in self.proxies:  # what a tool meets first yields as the whole body does
                     away = np.linalg.norm(body.rest - np.array(tool.at), axis=1)
                     held.update(int(node) for node in np.argsort(away, kind="stable")[:_NEAR])
                 body = body.truncated(modes=self.body.modes, contacts=sorted(held))
@@ -230,21 +245,25 @@ class Scenario(Table):
 
     def _bare(self) -> Body:
         """As its tables say, without what the world adds."""
+        tools = self.rigid_tools
         if self.bodies:
-            return build_bodies(self.bodies)
-        alone = self.body if isinstance(self.body, Body) else self.body.build()
-        return together([Placed(body=alone, name="body")]) if self.between.self_contact or self.world.meshes else alone
+            placed = placed_bodies(self.bodies)
+        else:
+            alone = self.body if isinstance(self.body, Body) else self.body.build()
+            if not (tools or self.between.self_contact or self.world.meshes):
+                return alone
+            placed = [Placed(body=alone, name="body")]
+        numbers = [number for number, tool in enumerate(self.tools, start=1) if isinstance(tool, RigidToolTable)]
+        body = together([*placed, *placed_tools(tools, numbers, self.network.size)])
+        if tools:
+            refuse_unfit(body, body.tools[0].name, balls=len(tools) < len(self.tools))
+        return body
 
     def _places(self, body: Body) -> list[list[float]]:
         """Where hands hold a rigid body besides its nodes and its skin's vertices."""
         for index, hand in enumerate(self.hands):
-            self._axes_of(index, hand.at, body)
+            refuse_axes(index, hand.at, body)
         return [hand.at for hand in self.hands if hand.at is not None]
-
-    @staticmethod
-    def _axes_of(index: int, at: list[float] | None, body: Body) -> None:
-        if at is not None and len(at) != body.dimension:
-            raise ScenarioError(f"hands[{index + 1}].at is {at}; it must be {body.dimension} coordinates [m]")
 
     def refuse_cutters(self) -> None:
         """Refuses who may not cut, or is not there.
@@ -258,7 +277,7 @@ class Scenario(Table):
         for user in users:
             if user > self.network.size:
                 raise ScenarioError(f"cutting.users names user {user}; the network has users 1 to {self.network.size}")
-        for number, tool in enumerate(self.tools, start=1):
+        for number, tool in enumerate(self.proxies, start=1):
             if tool.kind == "blade" and not self.cutting.may(tool.user):
                 raise ScenarioError(
                     f'tools[{number}].kind is "blade", but cutting.users is {users}; name user {tool.user} there, or '
@@ -267,7 +286,7 @@ class Scenario(Table):
 
     def _cuttable(self, body: Body) -> Body:
         """A body whose elements can be cut, if any are to be."""
-        if self.cutting is None and all(tool.kind != "blade" for tool in self.tools):
+        if self.cutting is None and all(tool.kind != "blade" for tool in self.proxies):
             return body
         said = self.cutting or CuttingTable()
         made = body.with_cutting(said.tear or inf, strength=said.strength or inf, toughness=said.toughness)
@@ -294,38 +313,12 @@ class Scenario(Table):
             return self
         body = self.build_body()
         hands = [
-            hand.model_copy(update={"node": self._node(index, body), "at": None, "body": None})
+            hand.model_copy(update={"node": held_node(self.hands[index], index, body), "at": None, "body": None})
             for index, hand in enumerate(self.hands)
         ]
         result = self.model_copy(update={"hands": hands})
         result._built, result._trace = body, self._trace
         return result
-
-    def _node(self, index: int, body: Body) -> int:
-        """Number of the node that a hand holds."""
-        hand = self.hands[index]
-        if hand.body is not None:
-            return self._node_of_part(index, hand.body, body)
-        if hand.at is None:
-            if hand.node > body.holds:
-                raise ScenarioError(f"hands[{index + 1}].node is {hand.node}; the body has nodes 1 to {body.nodes}")
-            return hand.node
-        self._axes_of(index, hand.at, body)
-        return 1 + int(np.argmin(np.linalg.norm(body.held_rest - np.array(hand.at), axis=1)))
-
-    def _node_of_part(self, index: int, name: str, body: Body) -> int:
-        """Number of the node that a hand holds of one of several bodies."""
-        hand, names = self.hands[index], [part.name for part in body.parts]
-        if name not in names:
-            known = ", ".join(f'"{known}"' for known in names) or "none; leave body out"
-            raise ScenarioError(f'hands[{index + 1}].body is "{name}"; there are {known}')
-        own = body.held_by(names.index(name))
-        if hand.at is None:
-            if hand.node > own.size:
-                raise ScenarioError(f'hands[{index + 1}].node is {hand.node}; "{name}" has nodes 1 to {own.size}')
-            return 1 + int(own[hand.node - 1])
-        self._axes_of(index, hand.at, body)
-        return 1 + int(own[np.argmin(np.linalg.norm(body.held_rest[own] - np.array(hand.at), axis=1))])
 
     def to_toml(self) -> str:
         """The scenario as the text of a file, with what was given and no defaults; `from_toml` makes the same of it.
@@ -350,7 +343,7 @@ class Scenario(Table):
                 tables[name] = value.model_dump(exclude_unset=True) if isinstance(value, Table) else value
         if isinstance(self.body, FileTable):
             tables["body"]["file"] = str(Path(self.body.file).resolve())
-        for table in (*tables.get("bodies", []), *tables.get("world", {}).get("meshes", [])):
+        for table in (*tables.get("bodies", []), *tables.get("tools", []), *tables.get("world", {}).get("meshes", [])):
             if "file" in table:
                 table["file"] = str(Path(table["file"]).resolve())
         return toml_text({name: table for name, table in tables.items() if table not in ({}, [], "")})
@@ -373,16 +366,18 @@ class Scenario(Table):
             tables[name] = getattr(self, name).model_dump(by_alias=True)
         tables["synchronisation"]["law"] = self.synchronisation.law or self.law[0]
         tables["hands"] = [hand.model_dump() for hand in self.hands]
-        if self.tools:
-            tables["tools"] = [tool.model_dump() for tool in self.tools]
+        if self.proxies:
+            tables["tools"] = [tool.model_dump() for tool in self.proxies]
             tables["contact"] = self.contact.model_dump()
+        if self.rigid_tools:
+            tables["rigid_tools"] = [tool.model_dump() for tool in self.rigid_tools]
         if self.bodies:
             sources = [isinstance(part.body, Body) for part in self.bodies]
             tables["bodies"] = [
                 {"name": part.name, "kind": "made in Python"} if made else part.model_dump()
                 for part, made in zip(self.bodies, sources, strict=True)
             ]
-        if self.bodies or self.between.self_contact:
+        if self.bodies or self.rigid_tools or self.between.self_contact:
             tables["between"] = self.between.model_dump()
         if self.world != WorldTable():
             tables["world"] = self.world.model_dump()

@@ -1,7 +1,8 @@
 """The tables of a scenario for tools: proxies, the devices that move them, and the hands on those."""
 
+from collections.abc import Mapping
 from itertools import pairwise
-from typing import Annotated, Any, Literal, Self, cast, final
+from typing import Annotated, Any, Literal, Self, cast, final, get_args
 
 from pydantic import Discriminator, Field, FiniteFloat, Tag, model_validator
 
@@ -13,6 +14,9 @@ from cotouch.scenario._tables import NonNegative, Number, Place, Positive, Table
 
 # Of a device's servo, where neither a scenario nor a product says it [Hz].
 DEFAULT_RATE = 1000.0
+Kind = Literal["touch", "grasp", "blade"]
+# Kinds of tools that are rigid bodies.
+RIGID = ("box", "cylinder", "sphere", "file")
 # Options of a hand that only one on a device has, and of a device what a coupling has not.
 _OF_DEVICES = ("mass", "reaction", "correction", "reach", "blend")
 _WITHOUT = {
@@ -260,7 +264,7 @@ class ToolTable(Table):
 
     user: Number
     at: Place
-    kind: Literal["touch", "grasp", "blade"] = "touch"
+    kind: Kind = "touch"
     radius: Positive = 0.01
     mass: Positive = 0.05
     stiffness: Positive = 1000.0
@@ -273,6 +277,16 @@ class ToolTable(Table):
     release: NonNegative | None = None
     hand: ToolHand | None = None
     device: SimulatedDeviceTable | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _known(cls, given: Any) -> Any:
+        """Refuses a kind that no tool has, those of rigid bodies included."""
+        table = cast("Mapping[str, Any]", given)
+        if isinstance(given, Mapping) and (kind := table.get("kind", "touch")) not in get_args(Kind):
+            known = ", ".join(f'"{name}"' for name in (*get_args(Kind), *RIGID))
+            raise ValueError(f'kind is "{kind}"; it must be one of {known}')
+        return cast("Any", given)
 
     @model_validator(mode="after")
     def _after(self) -> Self:

@@ -12,7 +12,19 @@ from pydantic import Field, FiniteFloat
 from cotouch.arrays import Float
 from cotouch.body import Unit, closed_surface, turning
 from cotouch.errors import ScenarioError
-from cotouch.mechanics import Box, Model, Obstacle, Plane, Plate, Shape, Solid, World, deepest_between, deepest_point
+from cotouch.mechanics import (
+    Box,
+    Model,
+    Obstacle,
+    Plane,
+    Plate,
+    Shape,
+    Solid,
+    World,
+    deepest_between,
+    deepest_point,
+    unsettled,
+)
 from cotouch.scenario._overlap import overlap
 from cotouch.scenario._tables import MeetingTable, NonNegative, Place, Positive, Table
 
@@ -209,16 +221,16 @@ class WorldTable(Table):
             return
         if world.bodies is not None:
             _refuse_inside(ready, world, position, [self.name(world.kind.size + k) for k in range(len(self.meshes))])
-        size = float(np.ptp(ready.body.rest, axis=0).max())
+        size = float(np.ptp(ready.body.rest[: ready.body.shared], axis=0).max())
         for i, field in enumerate(position if world.kind.size else ()):
-            deep, s = deepest_point(world, ready.to_rows(field))
+            deep, s = deepest_point(world, unsettled(ready, i), ready.to_rows(field))
             if deep > _DEEP * size:
                 raise ScenarioError(
                     f"{self.name(s)}: the copy of user {i + 1} begins {deep:.3g} m deep in it, more than a tenth "
                     "of its own size; move one of them"
                 )
         for i, field in enumerate(position):
-            if i == 0 or not np.array_equal(field, position[0]):
+            if i == 0 or ready.body.tools or not np.array_equal(field, position[0]):
                 self._refuse_within(ready, i, field)
 
     def _refuse_within(self, ready: Model, user: int, field: Float) -> None:
@@ -229,8 +241,11 @@ class WorldTable(Table):
         if parts:
             ends = np.cumsum([part.skin().vertices.shape[0] for part in parts])
         names = [f'"{part.name}"' for part in parts] or ["the body"]
+        away = [part.tool is not None and part.tool.owner != user for part in parts] or [False]
         corners, things = skin.triangles, list[tuple[str, tuple[Float, Int]]]()
-        for name, begin, end in zip(names, [0, *ends[:-1]], ends, strict=True):
+        for name, begin, end, elsewhere in zip(names, [0, *ends[:-1]], ends, away, strict=True):
+            if elsewhere:
+                continue
             own = corners[(corners >= begin).all(axis=1) & (corners < end).all(axis=1)] - begin
             things.append((name, (places[begin:end], own.astype(np.int32))))
         still = [(self.name(k), found) for k, one in enumerate(self.obstacles()) if (found := _surface_of(one.shape))]
@@ -260,7 +275,7 @@ def _refuse_inside(ready: Model, world: World, position: Float, solids: Sequence
     assert world.bodies is not None
     parts = ready.body.parts
     for i, field in enumerate(position):
-        deep, one, two = deepest_between(world, world.bodies, ready.to_rows(field))
+        deep, one, two = deepest_between(world, world.bodies, unsettled(ready, i), ready.to_rows(field))
         own = [b for b in (one, two) if b < len(parts)]
         size = min(float(np.ptp(parts[b].skin().vertices, axis=0).max()) for b in own)
         if deep <= _INSIDE * size:
@@ -276,6 +291,12 @@ def _refuse_inside(ready: Model, world: World, position: Float, solids: Sequence
             raise ScenarioError(
                 f'between: "{name}" begins {deep:.3g} m deep in itself {who} its size; take self_contact = false, or '
                 "another shape"
+            )
+        if parts[one].tool is not None or parts[two].tool is not None:
+            tool, other = (one, two) if parts[one].tool is not None else (two, one)
+            raise ScenarioError(
+                f'{parts[tool].name}: it begins {deep:.3g} m deep in "{parts[other].name}" {who} the smaller '
+                "one's size; move one of them"
             )
         raise ScenarioError(
             f'bodies: "{parts[one].name}" and "{parts[two].name}" begin {deep:.3g} m deep in each other {who} the '

@@ -28,7 +28,7 @@ def compiles(session: SessionFile, *, touched: bool = False) -> bool:
         touched: whether its object may be touched besides what the file says.
     """
     scenario = session.scenario
-    if scenario.tools or touched:
+    if scenario.proxies or touched:
         return cold(contact_step)
     return cold(step if scenario.build_body().material is None else closed_step)
 

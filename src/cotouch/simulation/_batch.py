@@ -10,7 +10,7 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.errors import ScenarioError
 from cotouch.interrupt import check, flag
-from cotouch.mechanics import LEDGER_COLUMNS, Ports, cutting_of
+from cotouch.mechanics import LEDGER_COLUMNS, Ports, cutting_of, unsettled
 from cotouch.scenario import ToolRecord, tool_record
 from cotouch.simulation._ends import Ends
 from cotouch.simulation._engine import run
@@ -30,6 +30,7 @@ from cotouch.simulation._layout import (
     Timing,
 )
 from cotouch.simulation._prepare import Prepared
+from cotouch.simulation._rigid_tool_result import with_masses
 
 
 @final
@@ -117,7 +118,7 @@ def run_batch(prepared: Prepared) -> Outcome:
         velocity=np.stack([ready.to_rows(field) for field in prepared.velocity]),
         momentum=np.zeros((users, rows, width)),
         tension=np.zeros((users, rows, width)),
-        memory=np.zeros((users, ready.memory)),
+        memory=np.stack([unsettled(ready, user) for user in range(users)]),
         samples=np.zeros((users * timing.ring + users + (0 if prepared.law is None else slots), rows, width)),
     )
     touching = deepcopy(prepared.touching)
@@ -133,10 +134,11 @@ def run_batch(prepared: Prepared) -> Outcome:
     moments = np.zeros(0) if wanted is None else np.arange(0.0, prepared.scenario.steps.duration, 1.0 / wanted)
     frames = Frames(moments, np.zeros((moments.size, users, rows, width)), np.zeros(1, dtype=np.int32))
     kept = np.concatenate([ready.port_rows(int(node)) for node in prepared.nodes])
+    shape, kept = with_masses(prepared, ready.port_shapes(kept), kept)
     record = Record(
         every=every,
         row=kept,
-        shape=ready.port_shapes(kept),
+        shape=shape,
         position=np.empty((users, records, kept.size, width)),
         velocity=np.empty((users, records, kept.size, width)),
         force=np.empty((ports, records, width)),

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.laws import End, Part, feel, hand, handed
-from cotouch.mechanics import Contact, Ports, at, inner, put
+from cotouch.mechanics import BodyForce, Contact, Ports, at, inner, put, tell_push
 from cotouch.simulation._layout import Float, Int, Timing, Topology
 
 
@@ -105,7 +105,17 @@ def ask(ends: Ends, topology: Topology, timing: Timing, where: npt.NDArray[np.in
 
 
 @inner
-def tell(ends: Ends, topology: Topology, timing: Timing, ports: Ports, contact: Contact | None, i: int, k: int) -> None:
+def tell(
+    ends: Ends,
+    topology: Topology,
+    timing: Timing,
+    ports: Ports,
+    contact: Contact | None,
+    force: BodyForce | None,
+    scale: float,
+    i: int,
+    k: int,
+) -> None:
     """Lets the law say what the neighbours of user i are told after its step k.
 
     Args:
@@ -114,6 +124,8 @@ def tell(ends: Ends, topology: Topology, timing: Timing, ports: Ports, contact: 
         timing: the schedule.
         ports: where forces act.
         contact: by which tools touch, with what they did in the step; None: they don't.
+        force: inside the body; tools that are bodies are there.
+        scale: share of its forces that a copy has.
         i: the user.
         k: the step.
     """
@@ -121,10 +133,12 @@ def tell(ends: Ends, topology: Topology, timing: Timing, ports: Ports, contact: 
         ends.after(handed(ends.words[s]))
         put(ends.used, s, at(timing.used, (s, k)))
     put(ends.steps, i, at(ends.steps, i) + 1)
-    if ends.feels:
-        feel(ends.hand[i], ports)
+    if ends.feels and at(topology.first, i) < at(topology.first, i + 1):
+        feel(ends.hand[i], ports, ends.weight[at(topology.first, i)])
         if contact is not None:
             copy_rows(ends.touch[i], contact.work.push)
+        if force is not None:
+            tell_push(force.world, scale, ends.touch[i])
 
 
 @inner

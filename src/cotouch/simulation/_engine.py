@@ -319,7 +319,7 @@ def run(
             if force is not None:
                 dissipated += cut_away(cutting, op, force, topology, timing, fields, record, ledger, i, k, lanes)
         if ends is not None:
-            tell(ends, topology, timing, ports, contact, i, k)
+            tell(ends, topology, timing, ports, contact, force, op.copy_scale * op.firmness, i, k)
         for s in range(s0, s1):
             added = at(scratch.link_work, s)
             made += added

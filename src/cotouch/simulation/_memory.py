@@ -35,12 +35,12 @@ def needed(scenario: Scenario, body: Body, ready: Model, kept: int) -> int:
     slots, width = 2 * links, ready.width
     clocks = users * 6 + slots * (2 if certain(scenario.channel) else 6)
     records = steps // scenario.record.every + 1
-    ledgers = len(USER_LEDGER) + (len(TOOL_LEDGER) if scenario.tools else 0)
+    ledgers = len(USER_LEDGER) + (len(TOOL_LEDGER) if scenario.proxies else 0)
     ledgers += 0 if ready.force is None else len(CLOSED_BOOKS) + (ready.force.world is not None) * len(WORLD_BOOKS)
     axes = body.dimension if ready.full else 1
     own = 2 * kept * width * axes + ledgers + 2 + width
     entry = users * own + len(scenario.hands) * width * axes + slots * (len(SLOT_LEDGER) + 1)
-    entry += links + len(TICK_LEDGER) + len(scenario.tools) * _TOOL
+    entry += links + len(TICK_LEDGER) + len(scenario.tools) * _TOOL + users * len(body.tools) * 8 * width
     frames = 0 if scenario.record.frames is None else scenario.steps.duration * scenario.record.frames
     shown = frames * users * (ready.operator_rows * width + body.nodes * body.dimension)
     if scenario.channel.codec is not None:  # every step of every peer, as it was reported

@@ -30,7 +30,8 @@ def hold_window(run: "xr.Dataset") -> tuple[float, float]:
     end = float(np.nanmax(run["time"].values))
     tables = json.loads(run.attrs["scenario"])
     tools: list[dict[str, Any]] = tables.get("tools", [])
-    hands: list[dict[str, Any]] = [*tables["hands"], *tools, *(tool["hand"] for tool in tools if tool["hand"])]
+    both = [*tools, *tables.get("rigid_tools", [])]
+    hands: list[dict[str, Any]] = [*tables["hands"], *tools, *(tool["hand"] for tool in both if tool["hand"])]
     begin = max((float(hand["begin"]) for hand in hands), default=0.0)
     release = min((float(hand["release"]) for hand in hands if hand["release"] is not None), default=end)
     release = min(release, end)
@@ -210,6 +211,20 @@ def tool_summary(run: "xr.Dataset") -> list[dict[str, Any]]:
     return result
 
 
+def rigid_tool_summary(run: "xr.Dataset") -> list[dict[str, Any]]:
+    """What the hands on rigid tools felt, ready for JSON: each one's user, shape, largest force and torque."""
+    tables: list[dict[str, Any]] = json.loads(run.attrs["scenario"]).get("rigid_tools", [])
+    peaks = {
+        name: np.linalg.norm(np.nan_to_num(run[variable].values), axis=-1).max(axis=-1)
+        for name, variable in (("peak_force_n", "rigid_force"), ("peak_torque_nm", "rigid_torque"))
+        if tables
+    }
+    return [
+        {"user": table["user"], "kind": table["kind"], **{name: float(own[index]) for name, own in peaks.items()}}
+        for index, table in enumerate(tables)
+    ]
+
+
 def _device(table: dict[str, Any]) -> str:
     """A device in a few words."""
     phantom = table["kind"] == "phantom" or (table["kind"] is None and table["preset"] == "phantom")
@@ -266,6 +281,7 @@ def summary(run: "xr.Dataset", body: Body) -> dict[str, Any]:
         **({"codec": coded(run)} if "contents" in run.attrs else {}),
         "local_damping": [plain(row) for row in run["local_damping"].values],
         **({"tools": tool_summary(run)} if "tool" in run.sizes else {}),
+        **({"rigid_tools": rigid_tool_summary(run)} if "rigid_tool" in run.sizes else {}),
         **({"device_residual": float(run.attrs["device_residual"])} if "device_residual" in run.attrs else {}),
     }
 

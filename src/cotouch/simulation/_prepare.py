@@ -13,7 +13,18 @@ from cotouch.body import Body
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Model, model
 from cotouch.network import damping_for
-from cotouch.scenario import Hands, HandTable, Scenario, Touching, per_user, ports_of, sentence, touching_of
+from cotouch.scenario import (
+    Hands,
+    HandTable,
+    RigidTool,
+    Scenario,
+    Touching,
+    per_user,
+    ports_of,
+    sentence,
+    touching_of,
+    with_tools,
+)
 from cotouch.simulation._coding import age_budget, codec_damping
 from cotouch.simulation._law_setup import LawSetup, given_law, law_setup
 from cotouch.simulation._layout import Topology
@@ -45,7 +56,8 @@ class Prepared:
         velocity: initial velocities, (users, n, d) [m/s].
         nodes: recorded nodes.
         touching: the tools as they start; an engine works on a copy. None without tools.
-        tool: which of those tools is each of the scenario's.
+        tool: which of those tools is each of the scenario's proxies.
+        rigid_tools: those that are rigid bodies; the ports of `hands` hold them, too.
         law: of the links; None for springs, which the kernels have built in.
     """
 
@@ -63,6 +75,7 @@ class Prepared:
     nodes: Int
     touching: Touching | None
     tool: list[int]
+    rigid_tools: list[RigidTool]
     law: LawSetup | None = None
 
 
@@ -106,11 +119,14 @@ def prepare(scenario: Scenario) -> Prepared:
         push=np.zeros((0, ready.operator_rows, ready.width)),
     )
     hands, ports = ports_of(scenario.hands, network.size, body, ready)
+    rigid_tools: list[RigidTool] = []
+    if scenario.rigid_tools:
+        hands, ports, rigid_tools = with_tools(hands, ports, scenario.rigid_tools, body)
     position = _initial(scenario.initial.position, "position", network.size, body)
     scenario.world.refuse_overlap(ready, position)
     scenario.refuse_cutters()
     touching, tool = touching_of(
-        scenario.tools,
+        scenario.proxies,
         network.size,
         body,
         ready,
@@ -135,6 +151,7 @@ def prepare(scenario: Scenario) -> Prepared:
         nodes=nodes,
         touching=touching,
         tool=tool,
+        rigid_tools=rigid_tools,
         law=law_setup(scenario, ready, timing, topology.weight, position),
     )
 
@@ -156,7 +173,7 @@ def with_hands(prepared: Prepared, hands: Sequence[Mapping[str, Any]]) -> Prepar
     Raises:
         ScenarioError: a hand does not fit network or body, or there are tools.
     """
-    if prepared.touching is not None:
+    if prepared.touching is not None or prepared.rigid_tools:
         raise ScenarioError("there are tools; hands of a prepared run can be changed only without them")
     try:
         tables = [HandTable.model_validate(table) for table in hands]
@@ -225,6 +242,7 @@ def _is_constant(timing: Schedule) -> bool:
 def _initial(given: list[Any] | None, name: str, users: int, body: Body) -> Float:
     """Initial field of every user, (users, n, d)."""
     result = np.zeros((users, body.nodes, body.dimension))
+    shared = body.shared
     if given is None:
         return result
     if len(given) != users:
@@ -232,11 +250,11 @@ def _initial(given: list[Any] | None, name: str, users: int, body: Body) -> Floa
     for i, entry in enumerate(given):
         try:
             field = np.asarray(entry, dtype=np.float64)
-            result[i] = field[:, None] if field.shape == (body.nodes,) and body.dimension == 1 else field
+            result[i, :shared] = field[:, None] if field.shape == (shared,) and body.dimension == 1 else field
         except (TypeError, ValueError):
             raise ScenarioError(
                 f"initial.{name}[{i + 1}] is {str(entry)[:60]}; it must be a number, {body.dimension} numbers, or "
-                f"{body.nodes} rows of {body.dimension}"
+                f"{shared} rows of {body.dimension}"
             ) from None
     if not np.isfinite(result).all():
         raise ScenarioError(f"initial.{name} must hold finite numbers only")
@@ -246,16 +264,16 @@ def _initial(given: list[Any] | None, name: str, users: int, body: Body) -> Floa
 def _recorded(scenario: Scenario, body: Body) -> Int:
     asked = scenario.record.nodes
     if asked == "all":
-        return np.arange(body.nodes, dtype=np.int32)
+        return np.arange(body.shared, dtype=np.int32)
     if asked is None:
         if body.nodes <= _ALL_NODES and not body.rigid:
             return np.arange(body.nodes, dtype=np.int32)
         held = {hand.node for hand in scenario.hands}
-        for tool in scenario.tools:
+        for tool in scenario.proxies:
             held.add(1 + int(np.argmin(np.linalg.norm(body.rest - np.array(tool.at), axis=1))))
-        held |= set(range(1, body.nodes + 1)) if body.rigid else set() if held else {1}
+        held |= set(range(1, body.shared + 1)) if body.rigid else set() if held else {1}
         return np.array(sorted(held), dtype=np.int32) - 1
     for number in asked:
         if number > body.holds:
-            raise ScenarioError(f"record.nodes names node {number}; the body has nodes 1 to {body.nodes}")
+            raise ScenarioError(f"record.nodes names node {number}; the body has nodes 1 to {body.shared}")
     return np.array(sorted(set(asked)), dtype=np.int32) - 1

@@ -17,6 +17,8 @@ from cotouch.simulation._law_setup import given_law
 from cotouch.simulation._layout import CLOSED_BOOKS, CUT_BOOKS, TOOL_LEDGER, USER_LEDGER, WORLD_BOOKS
 from cotouch.simulation._outcome import run_prepared
 from cotouch.simulation._prepare import Prepared, prepare
+from cotouch.simulation._rigid_tool_result import UNITS as RIGID_TOOL_UNITS
+from cotouch.simulation._rigid_tool_result import masses_of, rigid_tool_variables
 from cotouch.simulation._schedule import Schedule
 from cotouch.simulation._tool_result import LEAST_ENERGY, tool_attributes, tool_variables
 from cotouch.simulation._tool_result import UNITS as TOOL_UNITS
@@ -31,7 +33,10 @@ _UNITS = {
     "period": ("s", "length T of the step: the time that the copy simulates in it"),
     "position": ("m", "position x of a node"),
     "velocity": ("m/s", "velocity v of a node"),
-    "force": ("N", "sum of the mean forces of a user's hands and tools on the object over the step"),
+    "force": (
+        "N",
+        "sum of the mean forces of a user's hands and tools on the object over the step, or of hands on rigid tools",
+    ),
     "hand_force": ("N", "mean force of a hand over the step"),
     "supplied": ("J", "work of a user's hands so far"),
     "body_loss": ("J", "dissipated so far by the body's own dampers, and at planes and boxes"),
@@ -70,6 +75,7 @@ _UNITS = {
     "local_damping": ("N s/m", "damping B_i of the synchronisation, as multiples of each link weight"),
     "frame_position": ("m", "position x of every node at the time of a frame"),
     **TOOL_UNITS,
+    **RIGID_TOOL_UNITS,
 }
 
 
@@ -139,7 +145,8 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
 
     axes = body.dimension
     for name, values in (("position", record.position), ("velocity", record.velocity)):
-        shaped = values.reshape(users, records, prepared.nodes.size, -1)[..., :axes]
+        own = values[:, :, : values.shape[2] - masses_of(prepared)]  # those of tools are behind
+        shaped = own.reshape(users, records, prepared.nodes.size, -1)[..., :axes]
         if name == "position":
             with np.errstate(invalid="ignore"):  # what was not reached was never written
                 shaped = shaped + body.held_rest[prepared.nodes] if np.any(body.rest) else shaped
@@ -174,11 +181,17 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
     holders = np.array([hand.user - 1 for hand in scenario.hands], dtype=np.int64)
     put("hand_force", ("hand", "step", "axis"), hand_force, holders)
     tools = tool_variables(prepared, outcome)
-    owners = np.array([tool.user - 1 for tool in scenario.tools], dtype=np.int64)
+    owners = np.array([tool.user - 1 for tool in scenario.proxies], dtype=np.int64)
     for name, (dims, values) in tools.items():
         put(name, dims, values, owners)
     for index, owner in enumerate(owners):
         force[owner] -= tools["touch_force"][1][index]
+    rigid = rigid_tool_variables(prepared, record, period)
+    movers = np.array([tool.user for tool in prepared.rigid_tools], dtype=np.int64)
+    for name, (dims, values) in rigid.items():
+        put(name, dims, values, movers)
+    for index, owner in enumerate(movers):
+        force[owner] += rigid["rigid_force"][1][index]
     put("force", ("user", "step", "axis"), force, everyone)
 
     slots = timing.slots
@@ -222,8 +235,10 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
             "one": ("link", [network.users[a] for a, _ in network.links]),
             "other": ("link", [network.users[b] for _, b in network.links]),
             "hand_user": ("hand", [network.users[i] for i in holders]),
-            **({"tool": np.arange(1, len(scenario.tools) + 1)} if scenario.tools else {}),
-            **({"tool_user": ("tool", [network.users[i] for i in owners])} if scenario.tools else {}),
+            **({"tool": np.arange(1, owners.size + 1)} if owners.size else {}),
+            **({"tool_user": ("tool", [network.users[i] for i in owners])} if owners.size else {}),
+            **({"rigid_tool": np.arange(1, movers.size + 1)} if movers.size else {}),
+            **({"rigid_tool_user": ("rigid_tool", [network.users[i] for i in movers])} if movers.size else {}),
             **({"frame": outcome.frame_time} if outcome.frame_time.size else {}),
         },
         attrs={**_attributes(prepared, outcome, ticks), **tool_attributes(tools)},

@@ -62,7 +62,8 @@ def animation(run: "xr.Dataset", body: Body) -> Animation:
         )
     when = run["frame"].values[: frames.shape[0]].astype(np.float64)
     tables: dict[str, Any] = json.loads(run.attrs["scenario"])
-    apart = np.linalg.norm(frames - frames.mean(axis=1, keepdims=True), axis=-1)
+    shared = frames[:, :, : body.shared]
+    apart = np.linalg.norm(shared - shared.mean(axis=1, keepdims=True), axis=-1)
     shape: dict[str, Any]
     faces = cut_skin(body) if "cut_time" in run else None
     if faces is not None:
@@ -72,6 +73,8 @@ def animation(run: "xr.Dataset", body: Body) -> Animation:
     elif body.skin is not None and body.skin.triangles.size:
         shape = {"skin": body.skin, "displacement": frames - body.rest.astype(np.float32)}
         shape["parts"] = drawn_parts(body, _colours(tables.get("bodies", [])))
+        if body.tools:
+            shape["spans"] = _in_their_copies(body, frames.shape[1])
     else:
         shape = {"vertices": frames, "rest": body.rest, "edges": _edges(body)}
     return Animation(
@@ -79,7 +82,7 @@ def animation(run: "xr.Dataset", body: Body) -> Animation:
         users=[str(name) for name in run["user"].values],
         time=when,
         tools=_tools(run, tables, when),
-        ports=_ports(run, tables, when, frames),
+        ports=_ports(run, tables, when, frames, body),
         links=[(a - 1, b - 1) for a, b in tables["network"]["links"]],
         series=[UserSeries(name="Discrepancy", unit="m", values=apart.max(axis=2))],
         shapes=_shapes(tables.get("world", {})),
@@ -96,6 +99,19 @@ def _spans(run: "xr.Dataset", faces: CutSkin) -> Float:
     for user, times in enumerate(cut):
         np.minimum.at(end[user], of, times[faces.element])
     return np.stack([begin, end], axis=-1)
+
+
+def _in_their_copies(body: Body, users: int) -> Float:
+    """When each triangle of each copy is there, (users, triangles, 2) [s]: a tool only in its user's."""
+    result = np.empty((users, sum(part.skin().triangles.shape[0] for part in body.parts), 2))
+    result[...] = -np.inf, np.inf
+    first = 0
+    for part in body.parts:
+        last = first + part.skin().triangles.shape[0]
+        if part.tool is not None:
+            result[np.arange(users) != part.tool.owner, first:last, 1] = -np.inf
+        first = last
+    return result
 
 
 def _shapes(world: dict[str, Any]) -> list[Shape]:
@@ -130,16 +146,24 @@ def _tools(run: "xr.Dataset", tables: dict[str, Any], when: Float) -> ToolTracks
     )
 
 
-def _ports(run: "xr.Dataset", tables: dict[str, Any], when: Float, frames: npt.NDArray[Any]) -> PortTracks | None:
+def _ports(
+    run: "xr.Dataset", tables: dict[str, Any], when: Float, frames: npt.NDArray[Any], body: Body
+) -> PortTracks | None:
     hands: list[dict[str, Any]] = tables["hands"]
-    if not hands:
+    tools: list[dict[str, Any]] = tables.get("rigid_tools", [])
+    if not hands and not tools:
         return None
     owner = [hand["user"] - 1 for hand in hands]
-    return PortTracks(
-        owner=owner,
-        place=frames[:, owner, [hand["node"] - 1 for hand in hands]],
-        force=_at(run, owner, run["hand_force"].values, when),
-    )
+    node, shares = [hand["node"] - 1 for hand in hands], body.held_shares
+    # Of what is rigid, places are held.
+    place = frames[:, owner, node] if shares is None else np.einsum("hn,fhna->fha", shares[node], frames[:, owner])
+    force = _at(run, owner, run["hand_force"].values, when)
+    if tools:
+        movers = [tool["user"] - 1 for tool in tools]
+        place = np.concatenate([place, _at(run, movers, run["rigid_position"].values, when)], axis=1)
+        force = np.concatenate([force, _at(run, movers, run["rigid_force"].values, when)], axis=1)
+        owner += movers
+    return PortTracks(owner=owner, place=place, force=force)
 
 
 def _at(run: "xr.Dataset", owner: list[int], values: Float, when: Float) -> Float:

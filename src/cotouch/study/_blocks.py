@@ -218,7 +218,7 @@ def _two_port(prepared: Prepared, outcome: Outcome, tool: int, user: int) -> Two
     ledger = tools.device_ledger[:, tool, : last + 1]
     given = ledger[_DEVICE["work"]] + tools.coupling[0, tool, : last + 1]
     saturated = int(ledger[_DEVICE["saturated"], -1])
-    table = prepared.scenario.tools[prepared.tool.index(tool)].device
+    table = prepared.scenario.proxies[prepared.tool.index(tool)].device
     assert table is not None
     if table.coupling == "host_force":
         given = given - ledger[_DEVICE["viscous_loss"]] - ledger[_DEVICE["coulomb_loss"]]

@@ -148,7 +148,7 @@ def solid(network: Network, *, quick: bool = False) -> Solid:
         places=body.rest,
         # A lattice's skin has a node at every vertex.
         triangles=body.skin.nodes[:, 0].astype(np.int64)[body.skin.triangles],
-        radii=np.array([tool.radius for tool in prepared.scenario.tools]),
+        radii=np.array([tool.radius for tool in prepared.scenario.proxies]),
     )
 
 
@@ -196,7 +196,7 @@ def _rest(prepared: Prepared, outcome: Outcome) -> Rest:
         force[user] = -np.average(tools.force[user, seen + 1, :3], axis=0, weights=length[seen])
         place[user] = tools.place[user, seen[-1] + 1, :3]
     pulled = body.apply(body.stiffness, copies.mean(axis=0))
-    reach = np.array([tool.radius for tool in prepared.scenario.tools]) + 1.5 * SPACING
+    reach = np.array([tool.radius for tool in prepared.scenario.proxies]) + 1.5 * SPACING
     away = np.linalg.norm(body.rest + copies - place[:, None], axis=2)  # of every node in each user's copy
     away = np.where(away <= reach[:, None], away, np.inf)
     nearest = np.where(np.isfinite(away.min(axis=0)), away.argmin(axis=0), int(users))

@@ -1,0 +1,122 @@
+"""Tools that are bodies: each is in the copy of its user alone, and links do not know it."""
+# An array indexed by an element of another is a number to numba and an array to numpy's types.
+# pyright: reportArgumentType=false, reportReturnType=false
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+import scipy.sparse as sp
+
+from cotouch.arrays import Float
+from cotouch.body import Body, pulls_of
+from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._meeting import Meeting
+from cotouch.mechanics._vector import at, put
+from cotouch.mechanics._world import World
+
+if TYPE_CHECKING:
+    from cotouch.mechanics._model import Model
+
+
+def copies_of(body: Body) -> Float:
+    """How many times contact with each of several bodies counts, because one copy of N meets all of it, (bodies,)."""
+    return np.array([1.0 if one.tool is None else float(one.tool.copies) for one in body.parts])
+
+
+def link_weights(body: Body, weights: Sequence[sp.csr_array]) -> list[sp.csr_array]:
+    """How much of a link each node feels, and other link weights, with rows of zeros for tools.
+
+    Args:
+        body: of one or several.
+        weights: (n, n).
+    """
+    every = [sp.csr_array(sp.diags_array(pulls_of(body))), *weights]
+    if not body.tools:
+        return every
+    shared = np.ones(body.nodes)
+    for one in body.tools:
+        shared[one.first : one.last] = 0.0
+    known = sp.diags_array(shared)
+    every = [sp.csr_array(known @ weight @ known) for weight in every]
+    for weight in every:
+        weight.eliminate_zeros()
+    return every
+
+
+def unsettled(model: "Model", user: int) -> Float:
+    """The memory of a user's copy before it is settled: which tools are not in it, (memory,).
+
+    Args:
+        model: of the body.
+        user: whose copy it is, from 0.
+    """
+    memory = np.zeros(model.memory)
+    bodies = None if model.force is None or model.force.world is None else model.force.world.bodies
+    if bodies is not None and bodies.away >= 0:
+        tools = [one.tool for one in model.body.parts]
+        away = [tool is not None and tool.owner != user for tool in tools]
+        memory[bodies.away : bodies.away + len(away)] = away
+    return memory
+
+
+@inner
+def _add_push(m: Meeting, row: int, share: float, fx: float, fy: float, fz: float) -> None:
+    put(m.push, (row, 0), at(m.push, (row, 0)) + share * fx)
+    put(m.push, (row, 1), at(m.push, (row, 1)) + share * fy)
+    put(m.push, (row, 2), at(m.push, (row, 2)) + share * fz)
+
+
+@part
+def note_push(world: World, m: Meeting, e: int, f: int, fx: float, fy: float, fz: float) -> None:
+    """Adds to `push` what an entry's point and triangle, one of them a tool's, do to the rows of the shared body.
+
+    Args:
+        world: whose points they are.
+        m: the bodies.
+        e: the entry.
+        f: the triangle.
+        fx: force on the point [N].
+        fy: likewise.
+        fz: likewise.
+    """
+    p = at(m.point, e)
+    if at(m.tool, at(m.part, p)) == 0:
+        for n in range(at(world.pointer, p), at(world.pointer, p + 1)):
+            _add_push(m, at(world.row, n), at(world.share, n), fx, fy, fz)
+        return
+    for q in range(3):
+        v, share = at(m.corner, (f, q)), at(m.ended, (e, 4 + q))
+        for n in range(at(m.pointer, v), at(m.pointer, v + 1)):
+            _add_push(m, at(m.row, n), -share * at(m.share, n), fx, fy, fz)
+
+
+@inner
+def _copy_push(m: Meeting | None, scale: float, out: Float) -> None:
+    if m is not None:
+        for n in range(m.push.size):
+            put(out, n, scale * at(m.push, n))
+
+
+@inner
+def tell_push(world: World | None, scale: float, out: Float) -> None:
+    """What tools that are bodies did to the others in the step; nothing without them.
+
+    Args:
+        world: that the tools are in.
+        scale: share of forces that a copy has.
+        out: result, flat, (rows * width,) [N].
+    """
+    if world is not None:
+        _copy_push(world.bodies, scale, out)
+
+
+def push_of(model: "Model", scale: float) -> Float | None:
+    """What tools that are bodies did to the others in the step, (rows, width) [N]; None without them.
+
+    Args:
+        model: of the body.
+        scale: share of forces that a copy has.
+    """
+    bodies = None if model.force is None or model.force.world is None else model.force.world.bodies
+    return scale * bodies.push if bodies is not None and bodies.push.size else None

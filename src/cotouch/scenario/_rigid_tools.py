@@ -1,0 +1,203 @@
+"""Tools that are rigid bodies: the bodies among the others, and what holds them.
+
+A pose is held at four points about the handle, alternate corners of a cube, each by a quarter of the spring. With half
+its side a the hand has the stiffness k of place, and 2 a² k of turning, the same about every axis.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import final
+
+import numpy as np
+import numpy.typing as npt
+
+from cotouch.arrays import Float
+from cotouch.body import SIGNS, Body, Part, Placed, ToolBody, scaled, shares_of, turning
+from cotouch.errors import ScenarioError
+from cotouch.scenario._hands import Hands
+from cotouch.scenario._rigid_tool_table import PoseHand, RigidToolTable
+
+Int = npt.NDArray[np.int32]
+# Between waypoints the four points go straight for at most such an angle [rad], so that they keep their distances to
+# 4e-5; and a path has at most so many pieces.
+# A light tool with a lever would yield as a spring does: its strains swing so many times as fast as of other bodies.
+_FIRM = 4.0
+_STRAIGHT, _MOST = np.radians(1.0), 100_000
+
+
+@final
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RigidTool:
+    """A tool that is a rigid body.
+
+    Attributes:
+        user: whose it is, from 0.
+        part: among the bodies.
+        handle: where the hand holds it at rest, (3,) [m].
+        ports: that hold it, (4,), or (0,) where nothing does.
+        shares: how much of each of its masses a port's point follows, (ports, 4).
+    """
+
+    user: int
+    part: Part
+    handle: Float
+    ports: Int
+    shares: Float
+
+    @property
+    def mass(self) -> float:
+        """Of each of its four masses [kg]."""
+        assert self.part.tool is not None
+        return float(self.part.body.mass.diagonal()[0]) / self.part.tool.copies
+
+
+def placed_tools(tables: Sequence[RigidToolTable], numbers: Sequence[int], users: int) -> list[Placed]:
+    """The bodies of tools, to be put behind the others.
+
+    Args:
+        tables: of them.
+        numbers: which of [[tools]] each is, from 1.
+        users: how many there are.
+
+    Raises:
+        ScenarioError: a tool names a user that is not there.
+        BodyError: a shape is wrong.
+    """
+    result: list[Placed] = []
+    for number, table in zip(numbers, tables, strict=True):
+        if table.user > users:
+            raise ScenarioError(f"tools[{number}].user is {table.user}; the network has users 1 to {users}")
+        result.append(
+            Placed(
+                body=scaled(table.build(), mass=users, rate=_FIRM),
+                name=f"tools[{number}]",
+                at=(table.at[0], table.at[1], table.at[2]),
+                turn=(table.turn[0], table.turn[1], table.turn[2]),
+                tool=ToolBody(owner=table.user - 1, copies=users),
+            )
+        )
+    return result
+
+
+def refuse_unfit(body: Body, name: str, *, balls: bool) -> None:
+    """Refuses rigid tools where they cannot be.
+
+    Args:
+        body: with them.
+        name: of the first of them.
+        balls: whether there are tools of another kind.
+
+    Raises:
+        ScenarioError: it is so.
+    """
+    if balls:
+        raise ScenarioError(
+            f"{name} is a rigid body, but others of [[tools]] are balls, grasps or blades; take one sort only"
+        )
+    if not body.rigid:
+        soft = next((part.name for part in body.parts if not part.body.rigid), None)
+        if soft is None:
+            raise ScenarioError(
+                f"{name} is one of {len(body.parts)} bodies; with rigid tools there are at most 12 in all"
+            )
+        raise ScenarioError(
+            f'{name} is a rigid body, which meets only rigid ones, but "{soft}" yields; make it rigid, or let a '
+            'ball or stylus (kind "touch") meet it'
+        )
+
+
+def with_tools(
+    hands: Hands, ports: Int, tables: Sequence[RigidToolTable], body: Body
+) -> tuple[Hands, Int, list[RigidTool]]:
+    """Ports that hold tools beside those of hands, ordered by user; ports of each hand; and the tools.
+
+    Args:
+        hands: without those of tools.
+        ports: of each hand, (hands, ports per hand).
+        tables: of the tools.
+        body: with the tools as its last parts.
+
+    Raises:
+        ScenarioError: a path turns too far.
+    """
+    users, old = hands.first.size - 1, hands.row.size
+    owner = np.repeat(np.arange(users), np.diff(hands.first)).tolist()
+    numbers = np.stack([hands.stiffness, hands.damping, hands.begin, hands.release, hands.frequency, hands.phase])
+    shapes, forced, amplitude = [hands.shape], [hands.forced], [hands.amplitude]
+    columns = [numbers]
+    held_paths = pairwise(hands.path_first.tolist())
+    paths: list[tuple[Float, Float]] = [(hands.path_time[a:b], hands.path_value[a:b]) for a, b in held_paths]
+    handles: list[Float] = []
+    held: list[Float] = []
+    for table, part in zip(tables, body.tools, strict=True):
+        handles.append(np.asarray(table.at) + np.asarray(table.handle))
+        held.append(np.zeros((0, 4)))
+        if table.hand is None:
+            continue
+        points, own = _points(table.hand, handles[-1]), table.hand
+        shape = np.zeros((4, body.nodes))
+        held[-1] = shares_of(part.rest(), points)
+        shape[:, part.first : part.last] = held[-1]
+        release = np.inf if own.release is None else own.release
+        column = [own.stiffness / 4.0, own.damping / 4.0, own.begin, release, 0.0, 0.0]
+        shapes.append(shape)
+        columns.append(np.tile(np.array(column)[:, None], 4))
+        forced.append(np.zeros(4, dtype=np.bool_))
+        amplitude.append(np.zeros((4, hands.amplitude.shape[1])))
+        owner += [table.user - 1] * 4
+        paths += _paths(own, points - handles[-1], part.name)
+    order = np.argsort(owner, kind="stable")
+    place = np.argsort(order).astype(np.int32)
+    stiffness, damping, begin, release, frequency, phase = (
+        np.ascontiguousarray(line[order]) for line in np.concatenate(columns, axis=1)
+    )
+    paths = [paths[int(p)] for p in order]
+    made = Hands(
+        first=np.searchsorted(np.array(owner)[order], np.arange(users + 1)).astype(np.int32),
+        row=np.concatenate([hands.row, np.zeros(len(owner) - old, dtype=np.int32)])[order],
+        shape=np.ascontiguousarray(np.concatenate(shapes)[order]),
+        stiffness=stiffness,
+        damping=damping,
+        begin=begin,
+        release=release,
+        forced=np.concatenate(forced)[order],
+        path_first=np.cumsum([0, *(time.size for time, _ in paths)]).astype(np.int32),
+        path_time=np.concatenate([np.zeros(0), *(time for time, _ in paths)]),
+        path_value=np.concatenate([np.zeros((0, hands.path_value.shape[1])), *(value for _, value in paths)]),
+        amplitude=np.ascontiguousarray(np.concatenate(amplitude)[order]),
+        frequency=frequency,
+        phase=phase,
+    )
+    found: list[RigidTool] = []
+    for table, part, handle, shares in zip(tables, body.tools, handles, held, strict=True):
+        own = place[old : old + shares.shape[0]]
+        old += own.size
+        found.append(RigidTool(user=table.user - 1, part=part, handle=handle, ports=own, shares=shares))
+    return made, place[ports], found
+
+
+def _points(hand: PoseHand, handle: Float) -> Float:
+    """Where a hand holds a tool, (4, 3) [m]."""
+    return handle + np.sqrt(hand.turning_stiffness / (2.0 * hand.stiffness)) * SIGNS
+
+
+def _paths(hand: PoseHand, about: Float, name: str) -> list[tuple[Float, Float]]:
+    """Times and displacements of the four points."""
+    given = hand.poses()
+    turned = np.linalg.norm(np.diff(given[:, 4:], axis=0), axis=1)
+    pieces = np.maximum(np.ceil(turned / _STRAIGHT), 1.0)
+    if pieces.sum() > _MOST:
+        raise ScenarioError(
+            f"{name}.hand.path turns by {turned.sum():.3g} rad in all; it must be at most {_MOST // 60}"
+        )
+    steps = [np.linspace(0.0, 1.0, int(count) + 1)[1:, None] for count in pieces]
+    finer = [given[:1], *(a + share * (b - a) for (a, b), share in zip(pairwise(given), steps, strict=True))]
+    poses = np.concatenate(finer)
+    turns = np.stack([turning(pose) for pose in poses[:, 4:].tolist()])
+    result: list[tuple[Float, Float]] = []
+    for point in about:
+        value = np.zeros((poses.shape[0], 4))
+        value[:, :3] = poses[:, 1:4] + turns @ point - point
+        result.append((poses[:, 0].copy(), value))
+    return result
