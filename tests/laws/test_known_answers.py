@@ -30,8 +30,8 @@ from cotouch.laws._paid_fields import (
     TIMES,
     A,
 )
+from cotouch.laws._paid_heard import between, place_then
 from cotouch.laws._paid_other import past, take_over
-from cotouch.laws._paid_rows import between, place_then
 from cotouch.scenario import Scenario
 from cotouch.simulation import judge, prepare, run_batch, run_peers, simulate, with_law
 

@@ -6,8 +6,8 @@ import numba
 import numpy as np
 import pytest
 
-from cotouch.mechanics import at, kernel, load, put, splat, store, total
-from cotouch.mechanics._vector import WIDTHS, four, root, size, transposed, where
+from cotouch.mechanics import at, kernel, load, put, size, splat, store, total, where
+from cotouch.mechanics._vector import WIDTHS, four, root, transposed
 
 LANES = [(0,) * width for width in WIDTHS]
 

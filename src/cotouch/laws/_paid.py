@@ -78,21 +78,9 @@ from cotouch.laws._paid_fields import (
     X,
 )
 from cotouch.laws._paid_hand import book_copy
+from cotouch.laws._paid_heard import Heard, Then, add_wish, between, bring_hand, place_then, wish
 from cotouch.laws._paid_other import bring, credible, past, take_over, tell
-from cotouch.laws._paid_rows import (
-    Heard,
-    Then,
-    add_wish,
-    between,
-    bring_hand,
-    pay,
-    place_then,
-    price,
-    push_wave,
-    receive_wave,
-    return_wave,
-    wish,
-)
+from cotouch.laws._paid_rows import pay, price, push_wave, receive_wave, return_wave
 
 # So long is seen how a hand's force changes [s].
 _SMOOTH = 0.03

@@ -185,7 +185,14 @@ def transposed(typingctx: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
 
 @intrinsic
 def where(typingctx: Any, test: Any, yes: Any, no: Any) -> Any:
-    """`yes` where a number or the lane of a vector is above 0, `no` elsewhere."""
+    """`yes` where a number or the lane of a vector is above 0, `no` elsewhere.
+
+    Args:
+        typingctx: numba's own.
+        test: a number or a vector.
+        yes: likewise.
+        no: likewise.
+    """
     del typingctx
     width = max((kind.width for kind in (test, yes, no) if isinstance(kind, Vec)), default=1)
     kinds = [kind if isinstance(kind, Vec) else types.float64 for kind in (test, yes, no)]
@@ -202,8 +209,7 @@ def where(typingctx: Any, test: Any, yes: Any, no: Any) -> Any:
     return (types.float64 if width == 1 else Vec(width))(*kinds), generate
 
 
-def _called(name: str) -> Any:
-    @intrinsic
+def _called(name: str, meaning: str) -> Any:
     def apply(typingctx: Any, vector: Any) -> Any:
         del typingctx
 
@@ -215,16 +221,15 @@ def _called(name: str) -> Any:
 
         return vector(vector), generate
 
-    return apply
+    apply.__doc__ = meaning
+    return intrinsic(apply)
 
 
-# Of a number, or lane by lane.
-root = _called("llvm.sqrt")
-size = _called("llvm.fabs")
+root = _called("llvm.sqrt", "The square root of a number, or lane by lane.")
+size = _called("llvm.fabs", "A number without its sign, or lane by lane.")
 
 
-def _select(order: str) -> Any:
-    @intrinsic
+def _select(order: str, meaning: str) -> Any:
     def choose(typingctx: Any, left: Any, right: Any) -> Any:
         del typingctx
 
@@ -234,12 +239,12 @@ def _select(order: str) -> Any:
 
         return left(left, right), generate
 
-    return choose
+    choose.__doc__ = meaning
+    return intrinsic(choose)
 
 
-# The smaller or larger of two vectors, lane by lane.
-lower = _select("<")
-upper = _select(">")
+lower = _select("<", "The smaller of two vectors, lane by lane.")
+upper = _select(">", "The larger of two vectors, lane by lane.")
 
 
 def _index(array: Any, index: Any) -> Any:
