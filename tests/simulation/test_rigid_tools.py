@@ -10,7 +10,7 @@ import pytest
 from cotouch.errors import CotouchError
 from cotouch.members import SessionFile
 from cotouch.scenario import Scenario
-from cotouch.simulation import animation, prepare, run_batch, run_peers, simulate, summary
+from cotouch.simulation import animation, prepare, run_batch, run_peers, simulate, summary, tables
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "turn-a-block.toml"
 PAIR = {"users": ["Ann", "Ben"], "spring": [[0, 20], [20, 0]], "delay": [[0, 0.01], [0.01, 0]]}
@@ -147,6 +147,8 @@ def test_the_example_turns_the_block_for_both_and_can_be_watched() -> None:
     assert np.degrees(turned) == pytest.approx([75, 75], abs=15)
     assert run.attrs["energy_residual"] <= 1e-12
     assert run.attrs["passivity_margin"] >= -1e-12 * run.attrs["energy_in_play"]
+    table = tables(run)["rigid_tool_axis"]  # though there are no hands
+    assert table.groupby("rigid_tool_user")["time"].max().to_dict() == pytest.approx({"Ann": 2.5, "Ben": 2.5})
     told = summary(run, body)
     assert [tool["user"] for tool in told["rigid_tools"]] == [1, 2]
     assert told["rigid_tools"][0]["peak_torque_nm"] == pytest.approx(

@@ -31,7 +31,8 @@ class Run(xr.Dataset):
         """
         # A dimension of nothing, such as hands of a run without any, would leave no row of anything.
         rows = prod(max(size, 1) for size in self.sizes.values())
-        if rows > max((variable.size for variable in self.variables.values()), default=0):
+        full = (prod(max(size, 1) for size in variable.shape) for variable in self.variables.values())
+        if rows > max(full, default=0):
             raise ScenarioError(
                 f"a table of this run would cross {' with '.join(map(str, self.sizes))}, which is {rows:.2g} rows; "
                 "take cotouch.tables(run), a table for each set of dimensions, or choose variables that share them"

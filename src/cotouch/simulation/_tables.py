@@ -23,7 +23,7 @@ def tables(run: "xr.Dataset") -> "dict[str, pd.DataFrame]":
         that were taken: those that a slower user never reached are left out. Steps count from 0, the initial state;
         tables of directions, hands and tools have the users' names and the time of the step.
     """
-    owner = {"direction": "receiver", "hand": "hand_user", "tool": "tool_user"}
+    owner = {"direction": "receiver", "hand": "hand_user", "tool": "tool_user", "rigid_tool": "rigid_tool_user"}
     groups: dict[tuple[str, ...], list[str]] = {}
     for name, variable in run.data_vars.items():
         groups.setdefault(tuple(map(str, variable.dims)), []).append(str(name))
