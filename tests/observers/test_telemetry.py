@@ -107,6 +107,25 @@ def test_a_pointer_shows_in_the_view_of_the_step_that_used_it(tmp_path: Path) ->
     assert max(seen) - min(seen) == 8 * (len(seen) - 1)
 
 
+def test_of_a_body_by_modes_every_copy_is_shown_as_it_is(tmp_path: Path) -> None:
+    """Of what is worked out for all copies at once, each is its own."""
+    text = '[solver]\nbasis = "modal"\n' + CHAIN.replace("nodes = 2", "nodes = 6").replace(
+        "spring = 60.0", "spring = 5.0"
+    )
+    world = made(text, tmp_path)
+    commands, peer = commanded(world, world.people[0].name), world.people[0].copy.peer
+    assert peer is not None
+    assert peer.model.modes is not None
+    for n, person in enumerate(world.people):
+        way = (0.05 - 0.1 * n, 0.0, 0.0)
+        commands.point(person.name, Pointer(number=1, mode="grab", node=5, target=way))
+    world.run(0.3)
+    views, places = commands.views(), [person.position for person in world.people]
+    assert np.abs(places[0] - places[1]).max() > 0.01
+    for person in world.people:
+        assert views[person.copy.slot].displacement == pytest.approx(person.position, abs=1e-6)
+
+
 def test_of_a_copy_that_is_not_shown_a_neighbour_tells_what_it_knows(world: World) -> None:
     one, other = world.people
     commands = commanded(world, one.name)
