@@ -42,7 +42,7 @@ def stand_back() -> None:
         os.sched_setscheduler(0, os.SCHED_IDLE, os.sched_param(0))
 
 
-def both(timed: Sequence[str], others: Sequence[str], polite: Callable[[], None] = give_way) -> int:
+def both(timed: Sequence[str], others: Sequence[str], polite: Callable[[], None] = give_way) -> tuple[int, int]:
     """Runs two commands at once; what the first one says comes when the second is done.
 
     Args:
@@ -51,14 +51,14 @@ def both(timed: Sequence[str], others: Sequence[str], polite: Callable[[], None]
         polite: how.
 
     Returns:
-        The first of their codes that is not zero.
+        Their codes, the others' first.
     """
     running: list[subprocess.Popen[bytes]] = []
     with tempfile.TemporaryFile() as said:
         try:
             running.append(subprocess.Popen(others, cwd=ROOT, preexec_fn=polite))  # noqa: PLW1509  (no threads here)
             running.append(subprocess.Popen(timed, cwd=ROOT, stdout=said, stderr=subprocess.STDOUT))
-            codes = [process.wait() for process in running]
+            others_code, timed_code = (process.wait() for process in running)
         except BaseException as error:
             for process in running:
                 if not isinstance(error, KeyboardInterrupt):  # the terminal told them, too
@@ -71,11 +71,11 @@ def both(timed: Sequence[str], others: Sequence[str], polite: Callable[[], None]
             sys.stdout.flush()
             sys.stdout.buffer.write(said.read())
             sys.stdout.flush()
-    return next(filter(None, codes), 0)
+    return others_code, timed_code
 
 
 def main(options: Sequence[str]) -> int:
-    """Compiles the kernels while all is checked and tests run that need none; then all others, in two parts.
+    """Compiles the kernels while all is checked and tests run that need none; then the others, in two parts.
 
     Args:
         options: of pytest besides.
@@ -92,18 +92,19 @@ def main(options: Sequence[str]) -> int:
     early, late = (
         [*pytest, *(f"tests/{name}" for name in PATIENT if name.startswith(PLAIN) == early)] for early in (True, False)
     )
+    workers = str(max(2, len(os.sched_getaffinity(0))))
     with none_left():
         warm = subprocess.Popen([sys.executable, "tests/warm_up.py"], cwd=ROOT, preexec_fn=give_way)  # noqa: PLW1509
-        if code := subprocess.run(["make", "--no-print-directory", "check"], cwd=ROOT, check=False).returncode:
-            return code
-        first = subprocess.run(early, cwd=ROOT, check=False).returncode
+        checked, first = both(early, ["make", "--no-print-directory", "check"])
+        if checked:
+            return checked
         warm.wait()
         computing = [f"tests/{name}" for name in numerical(ROOT / "tests")]
-        shared = ["--dist", "worksteal", "-m", "not timed", "--warm"]
+        shared = ["--dist", "worksteal", "-m", "not timed", "--warm", "-n", workers]
         exact = [*pytest, *(f"tests/{name}" for name in ALONE)]
-        first = both(exact, [*pytest, *shared, "-n", "2", *computing], stand_back) or first
-        rest = [*pytest, *shared, "-n", "2", *(f"--ignore={name}" for name in computing)]
-        return both(late, rest) or first
+        codes = both(exact, [*pytest, *shared, *computing], stand_back)
+        rest = [*pytest, *shared, *(f"--ignore={name}" for name in computing)]
+        return next(filter(None, (first, *codes, *both(late, rest))), 0)
 
 
 if __name__ == "__main__":
