@@ -201,6 +201,7 @@ class Liar:
             {"members": [e.model_copy(update={"start": "f" * 16}) for e in roster.members]},
             {"members": [e.model_copy(update={"name": "nobody at all"}) if e in others else e for e in roster.members]},
             {"banned": [entry.key for entry in others]},
+            {"former": [{"key": stranger, "slots": [e.slot for e in roster.members]}]},
         ]
         change = {"epoch": min(roster.epoch + 1, LAST_EPOCH)} | harms[int(self._rng.integers(0, len(harms)))]
         said = roster.model_copy(update=change)  # unchecked, as is what is made of it

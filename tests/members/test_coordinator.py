@@ -132,7 +132,9 @@ def test_the_host_releases_the_name_of_one_who_is_gone() -> None:
     world.coordinator.receive(Message(key(1), "leave", b"", direct=False), world.now)
     with pytest.raises(SessionError, match="nobody's"):
         world.coordinator.release("Bob")
+    slots = world.roster.slots()
     world.coordinator.release("Ben")
+    assert world.roster.slots() == slots
     world.join(2, "Ben")
     assert world.names == {1: "Ben"}
     assert world.roster.of(key(2)) is not None
@@ -146,6 +148,7 @@ def test_who_was_sent_away_leaves_its_place_and_does_not_come_back() -> None:
         world.coordinator.expel("Eve")
     world.coordinator.expel("Ben")
     assert world.names == {0: "Ann"}
+    assert world.roster.slots()[key(2).hex()] == {1}  # what it cut there, others tell those who come later
     world.join(2, "Ben", start=1)
     assert "sent you away" in world.refusals[key(2)]
     world.join(3, "Ben")

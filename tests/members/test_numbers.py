@@ -63,6 +63,7 @@ ROSTER = record(
     links=st.lists(st.tuples(SLOTS, SLOTS), max_size=4),
     names=st.lists(st.fixed_dictionaries({"name": NAMES, "key": KEYS}), max_size=4),
     banned=st.lists(KEYS, max_size=3),
+    former=st.lists(st.fixed_dictionaries({"key": KEYS, "slots": st.lists(SLOTS, max_size=4)}), max_size=3),
 )
 JOIN = st.fixed_dictionaries(
     {"name": NAMES, "fingerprint": st.lists(FLOATS, max_size=17), "version": st.text(max_size=9)}

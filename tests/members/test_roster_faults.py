@@ -20,7 +20,7 @@ from tests.members.test_succession import (
 )
 
 from cotouch.members import Decision, Roster, SessionFile, genuine
-from cotouch.members._messages import LAST_EPOCH, MOST_STAGES, Decided, NameOwner
+from cotouch.members._messages import LAST_EPOCH, MOST_STAGES, Decided, Former, NameOwner
 from cotouch.members._succession import MOST_LEAP, Belief, order_of, signed
 from cotouch.network import Network
 from cotouch.samples import Identity
@@ -58,6 +58,9 @@ FAULTS: dict[str, Callable[[], list[Decision]]] = {
     "somebody sent away by a member": lambda: [root(), api(ANN, changed(ROOT, banned=[EVE.public.hex()]))],
     "somebody let back in by a member": lambda: [
         root(changed(ROOT, banned=[EVE.public.hex()])), api(ANN, changed(ROOT, epoch=2)),
+    ],
+    "somebody who never was here is gone by a member": lambda: [
+        root(), api(ANN, changed(ROOT, former=[Former(key=EVE.public.hex(), slots=(2,))])),
     ],
     "a name forgotten": lambda: [root(), api(ANN, changed(ROOT, members=MEMBERS[:2], names=BOUND[:2]))],
     "a name given away": lambda: [
@@ -292,6 +295,7 @@ def test_who_left_does_not_decide_by_a_fault() -> None:
 ROSTERS: dict[str, dict[str, object]] = {
     "a name has two keys": {"names": [*BOUND, {"name": "Ann", "key": EVE.public.hex()}]},
     "a key two names": {"names": [*BOUND, {"name": "Eve", "key": ANN.public.hex()}]},
+    "went twice": {"former": [{"key": EVE.public.hex(), "slots": [k]} for k in (1, 2)]},
     "was sent away": {"banned": [BEN.public.hex()]},
     "slots are not in order": {"members": [MEMBERS[1], MEMBERS[0]]},
     "a link is none of two": {"links": [(1, 0)]},

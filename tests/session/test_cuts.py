@@ -10,7 +10,7 @@ import pytest
 from tests.session.world import Person, World, entropy
 
 from cotouch.members import Entry, Roster, SessionFile, SharedModel, write
-from cotouch.members._messages import NameOwner, read
+from cotouch.members._messages import Former, NameOwner, read
 from cotouch.members._shared_cuts import TOPIC, SharedCuts, Statement
 from cotouch.recording import audit, read_recording
 from cotouch.samples import Identity, PathLaw
@@ -208,6 +208,16 @@ class TestStatements:
         assert shared.refused == 4
         shared.receive(2, self.statement(2, 2, 0, 20), roster, 1.0)
         assert self.believed(shared, 1.0) == 20
+
+    def test_what_somebody_cut_who_was_sent_away_is_told_to_those_who_come_later(self) -> None:
+        """Or the newcomer's copy would hold together where all others are cut, for ever."""
+        shared, _ = self.shared(0, 0)
+        roster = self.roster(here={"Ann": 0}, had={"Ann": (0,)})
+        gone = Former(key=self.key["Cleo"], slots=(2,))
+        shared.receive(0, self.statement(2, 2, 0, 20), roster, 1.0)
+        assert self.believed(shared, 1.0) == 0
+        shared.receive(0, self.statement(2, 2, 0, 20), roster.model_copy(update={"former": [gone]}), 2.0)
+        assert self.believed(shared, 2.0) == 20
 
     def test_who_was_in_two_slots_is_believed_no_faster(self) -> None:
         shared, _ = self.shared(1, 1)

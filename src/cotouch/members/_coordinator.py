@@ -17,6 +17,7 @@ from cotouch.members._messages import (
     MOST_BANNED,
     MOST_NAMES,
     Entry,
+    Former,
     Join,
     NameOwner,
     Refused,
@@ -309,12 +310,16 @@ class Coordinator:
             had = kept[entry.name].slots if entry.name in kept else ()
             slots = tuple(sorted({*had, entry.slot}))
             kept[entry.name] = NameOwner(name=entry.name, key=entry.key, slots=slots)
+        former = {gone.key: gone for gone in before.former}
+        for key in {bound.key for bound in before.names} - {bound.key for bound in kept.values()}:
+            former[key] = Former(key=key, slots=tuple(sorted(before.slots()[key])))
         self.roster = Roster(
             epoch=before.epoch + by,
             members=members,
             links=links,
             names=list(kept.values()),
             banned=before.banned if banned is None else banned,
+            former=list(former.values())[-MOST_NAMES:],
         )
         self._said = -float("inf")
 

@@ -98,19 +98,27 @@ class Entry(Table):
         return self.key + self.start
 
 
-@final
-class NameOwner(Table):
-    """A name, and whose it is for the whole session.
+class Former(Table):
+    """A key that has no name any more: the host sent away whose it is, or let the name go.
 
     Attributes:
-        name: that others see.
         key: public key.
         slots: that this one ever had; so those who come later know in which slot it cut.
     """
 
-    name: Name
     key: Key
     slots: Annotated[tuple[Slot, ...], Field(max_length=MOST_USERS)] = ()
+
+
+@final
+class NameOwner(Former):
+    """A name, and whose it is for the whole session.
+
+    Attributes:
+        name: that others see.
+    """
+
+    name: Name
 
 
 @final
@@ -125,6 +133,7 @@ class Roster(Table):
         links: pairs of slots, the smaller first, sorted.
         names: that somebody ever had, and whose they are.
         banned: keys of those whom the host sent away.
+        former: who has no name any more.
     """
 
     epoch: Epoch = 0
@@ -134,6 +143,7 @@ class Roster(Table):
     )
     names: Annotated[list[NameOwner], Field(max_length=MOST_NAMES)] = Field(default_factory=list[NameOwner])
     banned: Annotated[list[Key], Field(max_length=MOST_BANNED)] = Field(default_factory=list[Key])
+    former: Annotated[list[Former], Field(max_length=MOST_NAMES)] = Field(default_factory=list[Former])
 
     @model_validator(mode="after")
     def _whole(self) -> Self:
@@ -150,6 +160,8 @@ class Roster(Table):
             raise ValueError("a name has two keys, or a key two names")
         if len({entry.key for entry in self.members}) < len(slots) or len(set(self.names)) < len(self.names):
             raise ValueError("a key or a name is there twice")
+        if len({gone.key for gone in self.former}) < len(self.former):
+            raise ValueError("somebody went twice")
         if {entry.key for entry in self.members} & set(self.banned):
             raise ValueError("somebody is there who was sent away")
         return self
@@ -160,7 +172,9 @@ class Roster(Table):
 
     def slots(self) -> dict[str, set[int]]:
         """Slots that each key ever had."""
-        found = {bound.key: set(bound.slots) for bound in self.names}
+        found: dict[str, set[int]] = {}
+        for had in (*self.names, *self.former):
+            found.setdefault(had.key, set()).update(had.slots)
         for entry in self.members:
             found.setdefault(entry.key, set()).add(entry.slot)
         return found

@@ -95,6 +95,8 @@ def follows(before: Roster, after: Roster) -> str | None:
     had, has = before.slots(), after.slots()
     if any(not slots <= has.get(key, set()) for key, slots in had.items()):
         return "it forgets in which slot somebody was"
+    if before.former != after.former:
+        return "only the host gives up whose a name is"
     slots = {entry.key: entry.slot for entry in after.members}
     if any(slots.get(entry.key, entry.slot) != entry.slot for entry in before.members):
         return "it moves somebody to another slot"
