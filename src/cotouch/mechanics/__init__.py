@@ -1,5 +1,6 @@
 """How a body moves, passively: the compiled step and what it needs."""
 
+from cotouch.mechanics._balance_groups import closing_of
 from cotouch.mechanics._closed import CLOSURE_ALARM, closed_settle, closed_step, slowed
 from cotouch.mechanics._contact_foundation import Foundation
 from cotouch.mechanics._contact_law import CONTACT_LAWS, press
@@ -184,6 +185,7 @@ __all__ = [
     "checked_virtual_coupling",
     "closed_settle",
     "closed_step",
+    "closing_of",
     "contact_by",
     "contact_parts",
     "contact_step",

@@ -36,6 +36,15 @@ MASS, MOMENTUM, MOVING, LACKS, ABOUT, FLOW, FACTOR, CENTRE, SHARES, OPEN = 0, 1,
 LAST_OF_ALL = LAST_ATTEMPT + 1
 
 
+def closing_of(parts: Parts) -> Float:
+    """What each body's velocity was scaled by in the step that was closed last, and about which, (bodies, 4).
+
+    Args:
+        parts: the bodies; what they hold is of whichever copy stepped last.
+    """
+    return parts.sums[:, FACTOR : CENTRE + 3].copy()
+
+
 @inner
 def _belongs(parts: Parts, b: int, group: int, sharing: bool) -> bool:
     """Whether a body is of a group, and of those in it that share."""

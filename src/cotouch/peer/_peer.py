@@ -30,6 +30,7 @@ from cotouch.mechanics import (
     approach,
     closed_settle,
     closed_step,
+    closing_of,
     contact_parts,
     contact_step,
     mixed_stretch,
@@ -306,6 +307,8 @@ class Peer:
             closed_step(op, force, state, links, ports, *damping, T, own, work, ledger, *rest)
         else:
             step(op, state, links, ports, *damping, T, own, work, ledger, *rest)
+        # Other copies of the process write there, too.
+        self._closing = None if force is None or force.parts is None else closing_of(force.parts)
         for law in joined.laws:
             law.after(work.mean)
         if joined.laws:
@@ -349,6 +352,7 @@ class Peer:
             speed=square[0],
             residual=energy - self._energy - supplied + lost - sum(joined.work.tolist()),
             age=np.array(age),
+            closing=self._closing,
             cut_elements=() if self.cuts is None else self.cuts.new,
             rescaled=self._rescaled,
             advanced=advanced,

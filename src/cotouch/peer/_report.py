@@ -56,6 +56,8 @@ class StepReport:
         iterations: of the solver.
         closure: work on the velocity that closed the step's balance, in no other book; 0 of a linear body [J].
         closure_factor: |β - 1|, by how much that changed the velocity; above CLOSURE_ALARM forces and energy disagree.
+        closing: of several bodies, of each the factor β on its velocity, and the velocity about which that acted,
+            (bodies, 4) [1, m/s]; None of one.
         shortened: which share of the step was given up, because its energy could not be balanced; mostly 0.
         world_loss: of body_loss: lost in friction and damping at planes and boxes [J].
         world_stored: of elastic: held by them after the step [J].
@@ -87,6 +89,7 @@ class StepReport:
     iterations: int
     closure: float
     closure_factor: float
+    closing: Float | None
     shortened: float
     world_loss: float
     world_stored: float

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.peer import LinkState
-from cotouch.recording._columns import SCALARS, UNSAID, Batch
+from cotouch.recording._columns import CLOSING, SCALARS, UNSAID, Batch
 
 if TYPE_CHECKING:
     from cotouch.mechanics import State, Tools
@@ -164,6 +164,8 @@ class Buffer:
             x, v, middle = self._state
             x[at], v[at], middle[at] = state.position, state.velocity, report.sample.position
             self.states = at + 1
+        if report.closing is not None:
+            extra = {CLOSING: report.closing, **(extra or {})}
         if extra is not None:
             for name, value in extra.items():
                 column = self._extra.get(name)

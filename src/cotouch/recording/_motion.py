@@ -15,6 +15,7 @@ from cotouch.arrays import Float
 from cotouch.errors import RecordingError
 from cotouch.peer import LinkState
 from cotouch.recording._body import RecordedBody
+from cotouch.recording._closing import reopened
 from cotouch.recording._columns import UNSAID
 from cotouch.recording._outside import Outside, cut_steps, outside_of, scale_of, sunk_of
 from cotouch.recording._recording import Recording, Setup
@@ -26,8 +27,6 @@ Int = npt.NDArray[np.int64]
 # Of a stamp that went through two clocks' numbers and back [s].
 _SAME_STAMP = 1e-6
 _EPS = float(np.finfo(np.float64).eps)
-# As in the kernels: below this share of the kinetic energy nothing moves about the centre of mass.
-_RIGID = 1e-9
 LOSSES = ("body_loss", "local_loss", "extra_loss", "cut")
 # Events after which a copy may carry another share of the body.
 _MEMBERS = {"joined", "left", "rescaled"}
@@ -199,33 +198,7 @@ class _Steps:
         index, self.booked = recording.columns["index"][at], recording.columns["cut"][at]
         self.inner = None if material is None else material.energies(self.start, x, self.mean, index=index, when=when)
         if material is not None:
-            self._reopen(*(recording.columns[name][at] for name in ("closure", "closure_factor")))
-
-    def _reopen(self, work: Float, factor: Float) -> None:
-        """Takes back what closed the steps: `v⁺ = c + β (v' - c)`, c the centre's velocity or none.
-
-        Which it was is told by the work that goes with β; where nothing is left of v', nothing can be said.
-        """
-        # A change that rounding explains is booked as none; the work tells it.
-        hidden = (factor == 0.0) & (work != 0.0)
-        masses = self.body.mass.diagonal()
-        centre = np.einsum("r,sra->sa", masses, self.v)[:, None] / masses.sum()
-        beta = (1.0 + np.copysign(factor, work))[:, None, None]
-        beta[beta <= 0.0] = np.nan
-        kinetic = self.body.form(self.body.mass, self.v)
-        tried: list[tuple[Float, Float]] = []
-        for about in (centre, 0.0 * centre):
-            moving = 0.5 * self.copy_scale * self.body.form(self.body.mass, self.v - about)
-            share = 1.0 - np.divide(work, moving, out=np.zeros_like(work), where=hidden & (moving > np.abs(work)))
-            unclosed = about + (self.v - about) * np.where(hidden, np.sqrt(share), 1.0)[:, None, None] / beta
-            did = 0.5 * self.copy_scale * (kinetic - self.body.form(self.body.mass, unclosed))
-            tried.append((unclosed, did))
-        (central, one), (whole, other) = tried
-        beside = 0.5 * self.copy_scale * self.body.form(self.body.mass, self.v - centre)
-        still = beside <= np.maximum(np.abs(work), _RIGID * 0.5 * self.copy_scale * kinetic)
-        as_whole = np.where(hidden, still, np.abs(other - work) < np.abs(one - work))
-        self.unclosed = np.where(as_whole[:, None, None], whole, central)
-        self.closure = np.where(np.isnan(one), work, np.where(as_whole, other, one))
+            self.unclosed, self.closure = reopened(recording, at, self.v, self.copy_scale)
 
     def energies(self) -> tuple[Float, Float, float]:
         """After each step, before it, and what rounding may make of them."""
