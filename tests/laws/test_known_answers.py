@@ -331,13 +331,19 @@ def test_to_paid_a_hand_whose_aim_moves_is_one_hand() -> None:
 
 def test_to_paid_a_hand_is_where_it_holds() -> None:
     """On a chain, too: hands hold its ends."""
-    body = {"kind": "chain", "nodes": 5, "mass": 0.2, "stiffness": 400.0, "damping": 1.0}
+    body: dict[str, Any] = {"kind": "chain", "nodes": 5, "mass": 0.2, "stiffness": 400.0, "damping": 1.0}
     assert cost("paid", "handover", body=body) < 0.5
     assert cost("wave", "handover", body=body) > 2.0
 
 
+def test_paid_moves_a_soft_body_that_only_another_user_holds() -> None:
+    """Braked at every node and moved at one, such a copy stretched and stayed behind: J 6.4."""
+    body: dict[str, Any] = {"kind": "chain", "nodes": 5, "mass": 0.2, "stiffness": 400.0, "damping": 1.0}
+    assert cost("paid", "handover", delay=0.1, body=body) < 3.0
+
+
 def test_in_a_star_paid_feels_hands_that_are_two_links_away() -> None:
-    star = {"graph": "star", "users": [4]}
+    star: dict[str, Any] = {"graph": "star", "users": [4]}
     alone = cost({"kind": "paid", "relay": 0.0}, "tug", **star)
     assert cost("paid", "tug", **star) < 0.6 * alone
 

@@ -39,6 +39,7 @@ from cotouch.laws._paid_fields import (
     GD,
     GIVEN,
     GK,
+    HELD,
     HORIZON,
     KEPT,
     KNOWN,
@@ -84,6 +85,9 @@ from cotouch.laws._paid_rows import pay, price, push_wave, receive_wave, return_
 
 # So long is seen how a hand's force changes [s].
 _SMOOTH = 0.03
+# Share of the brake that a soft body keeps while its own user does not hold it: no hand fills the account there, and
+# what another's hand moves at one node, while all are braked, is stretched by what was to move it.
+_FREE = 0.1
 
 
 def _before(end: End) -> None:
@@ -242,7 +246,9 @@ def _settle(end: End) -> None:
         fraction = b = 0.0
     pay(end, fraction, b)
     floor = 0.5 * numbers[LEVEL]
-    b += p[BETA] * max(1.0 - H / floor, 0.0) if floor > 0.0 else p[BETA]
+    free = numbers[HELD] == 0.0 and end.position.shape[0] > end.width
+    beta = _FREE * p[BETA] if free else p[BETA]
+    b += beta * max(1.0 - H / floor, 0.0) if floor > 0.0 else beta
     numbers[BRAKE] = b
     end.gains[1] += b
 
