@@ -15,6 +15,7 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.body import SIGNS, Body, Part, Placed, ToolBody, scaled, shares_of, turning
 from cotouch.errors import ScenarioError
+from cotouch.mechanics import Model
 from cotouch.scenario._hands import Hands
 from cotouch.scenario._rigid_tool_table import PoseHand, RigidToolTable
 
@@ -23,6 +24,8 @@ Int = npt.NDArray[np.int32]
 # 4e-5; and a path has at most so many pieces.
 # A light tool with a lever would yield as a spring does: its strains swing so many times as fast as of other bodies.
 _FIRM = 4.0
+# They are solved for at once, together with others that are rigid.
+_MOST_RIGID = 12
 _STRAIGHT, _MOST = np.radians(1.0), 100_000
 
 
@@ -95,20 +98,13 @@ def refuse_unfit(body: Body, name: str, *, balls: bool) -> None:
         raise ScenarioError(
             f"{name} is a rigid body, but others of [[tools]] are balls, grasps or blades; take one sort only"
         )
-    if not body.rigid:
-        soft = next((part.name for part in body.parts if not part.body.rigid), None)
-        if soft is None:
-            raise ScenarioError(
-                f"{name} is one of {len(body.parts)} bodies; with rigid tools there are at most 12 in all"
-            )
-        raise ScenarioError(
-            f'{name} is a rigid body, which meets only rigid ones, but "{soft}" yields; make it rigid, or let a '
-            'ball or stylus (kind "touch") meet it'
-        )
+    rigid = sum(part.body.rigid for part in body.parts)
+    if rigid > _MOST_RIGID:
+        raise ScenarioError(f"{name} is one of {rigid} rigid bodies; with rigid tools there are at most {_MOST_RIGID}")
 
 
 def with_tools(
-    hands: Hands, ports: Int, tables: Sequence[RigidToolTable], body: Body
+    hands: Hands, ports: Int, tables: Sequence[RigidToolTable], ready: Model
 ) -> tuple[Hands, Int, list[RigidTool]]:
     """Ports that hold tools beside those of hands, ordered by user; ports of each hand; and the tools.
 
@@ -116,15 +112,17 @@ def with_tools(
         hands: without those of tools.
         ports: of each hand, (hands, ports per hand).
         tables: of the tools.
-        body: with the tools as its last parts.
+        ready: the body with the tools as its last parts, for the kernels.
 
     Raises:
         ScenarioError: a path turns too far.
     """
-    users, old = hands.first.size - 1, hands.row.size
+    users, old, body = hands.first.size - 1, hands.row.size, ready.body
     owner = np.repeat(np.arange(users), np.diff(hands.first)).tolist()
     numbers = np.stack([hands.stiffness, hands.damping, hands.begin, hands.release, hands.frequency, hands.phase])
-    shapes, forced, amplitude = [hands.shape], [hands.forced], [hands.amplitude]
+    # One that holds a node holds one row.
+    first = hands.shape if hands.shape.shape[0] else np.eye(ready.operator_rows)[hands.row]
+    shapes, forced, amplitude = [first], [hands.forced], [hands.amplitude]
     columns = [numbers]
     held_paths = pairwise(hands.path_first.tolist())
     paths: list[tuple[Float, Float]] = [(hands.path_time[a:b], hands.path_value[a:b]) for a, b in held_paths]
@@ -138,7 +136,7 @@ def with_tools(
         points, own = _points(table.hand, handles[-1]), table.hand
         shape = np.zeros((4, body.nodes))
         held[-1] = shares_of(part.rest(), points)
-        shape[:, part.first : part.last] = held[-1]
+        shape[:, rows_of(part, ready)] = held[-1]
         release = np.inf if own.release is None else own.release
         column = [own.stiffness / 4.0, own.damping / 4.0, own.begin, release, 0.0, 0.0]
         shapes.append(shape)
@@ -175,6 +173,17 @@ def with_tools(
         old += own.size
         found.append(RigidTool(user=table.user - 1, part=part, handle=handle, ports=own, shares=shares))
     return made, place[ports], found
+
+
+def rows_of(part: Part, ready: Model) -> Int:
+    """Rows of the kernels of one of several bodies.
+
+    Args:
+        part: the body.
+        ready: all of them.
+    """
+    nodes = np.arange(part.first, part.last)
+    return (nodes if ready.order is None else np.argsort(ready.order)[nodes]).astype(np.int32)
 
 
 def _points(hand: PoseHand, handle: Float) -> Float:

@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.body import SIGNS, frame_of, shares_of
-from cotouch.scenario import RigidTool
+from cotouch.scenario import RigidTool, rows_of
 from cotouch.simulation._layout import Record
 from cotouch.simulation._prepare import Prepared
 
@@ -42,9 +42,10 @@ def with_masses(prepared: Prepared, shape: Float, rows: npt.NDArray[np.int32]) -
     """
     if not prepared.rigid_tools:
         return shape, rows
-    masses = np.concatenate([np.arange(tool.part.first, tool.part.last) for tool in prepared.rigid_tools])
-    own = np.eye(shape.shape[1])[masses]
-    return np.ascontiguousarray(np.concatenate([shape, own])), np.concatenate([rows, masses.astype(np.int32)])
+    masses = np.concatenate([rows_of(tool.part, prepared.model) for tool in prepared.rigid_tools])
+    if shape.shape[0]:
+        shape = np.ascontiguousarray(np.concatenate([shape, np.eye(shape.shape[1])[masses]]))
+    return shape, np.concatenate([rows, masses])
 
 
 def rigid_tool_variables(prepared: Prepared, record: Record, period: Float) -> dict[str, tuple[tuple[str, ...], Float]]:
