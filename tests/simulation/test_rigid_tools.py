@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from cotouch.errors import CotouchError
-from cotouch.members import SessionFile
 from cotouch.scenario import Scenario
 from cotouch.simulation import animation, prepare, run_batch, run_peers, simulate, summary, tables
 
@@ -260,8 +259,3 @@ def test_what_is_wrong_is_one_sentence(tables: dict[str, Any], said: str) -> Non
     with pytest.raises(CotouchError) as caught:
         prepare(scene({}, **tables))
     assert said in str(caught.value)
-
-
-def test_a_live_session_refuses_it() -> None:
-    with pytest.raises(CotouchError, match=r"tools\[1\] is a rigid body, which only the simulator has so far"):
-        SessionFile.read(EXAMPLE)

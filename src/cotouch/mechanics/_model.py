@@ -148,7 +148,7 @@ class Model:
         if self.body.held_shares is not None:
             return np.ascontiguousarray(self.body.held_shares[rows])
         if self.modes is None:
-            return np.zeros((0, self.operator_rows))
+            return (rows[: None if self.body.tools else 0, None] == np.arange(self.operator_rows)).astype(np.float64)
         return np.ascontiguousarray(self.modes[rows])
 
 

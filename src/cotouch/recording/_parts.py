@@ -4,14 +4,18 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.body import Body, Part, joined
+from cotouch.body import Body, Part, ToolBody, joined
 
 if TYPE_CHECKING:  # reading a recording needs no kernels
     from cotouch.mechanics import Between
 
+Int, Bool = npt.NDArray[np.int64], npt.NDArray[np.bool_]
 _TURN, _SHIFT, _REST, _BETWEEN = "part_turn", "part_shift", "rest", "between"
+# Of tools: whose each is, from 1, in how many copies it is one, and where it is held; all 0 of what is shared.
+_TOOL, _GRIPS = "part_tool", "grips"
 # A recording has no more bodies, and a rotation is off by no more.
 _MOST, _ROUNDING = 1000, 1e-9
 
@@ -31,7 +35,12 @@ def parts_arrays(body: Body, between: "Between | None", own: Callable[[Body], di
     if between is not None:
         kinetic = between.friction if between.kinetic is None else between.kinetic
         found[_BETWEEN] = np.array([between.stiffness, between.loss, between.friction, kinetic, between.own])
+    if body.tools:
+        owners = [(0, 0) if part.tool is None else (part.tool.owner + 1, part.tool.copies) for part in body.parts]
+        found[_TOOL] = np.array(owners)
     for number, part in enumerate(body.parts):
+        if part.tool is not None:
+            found[f"part{number}_{_GRIPS}"] = np.array(part.tool.grips).reshape(-1, 3)
         one = part.body if part.body.material is not None else part.body.with_gravity((0.0, 0.0, 0.0))
         found |= {f"part{number}_{name}": values for name, values in own(one).items()}
         found[f"part{number}_{_REST}"] = part.body.rest
@@ -61,16 +70,52 @@ def parts_of_arrays(
         raise ValueError("a part is turned by what is no rotation")
     parts: list[Part] = []
     first = 0
+    owners = np.asarray(arrays.get(_TOOL, np.zeros((count, 2), dtype=int)), dtype=np.int64)
+    if owners.shape != (count, 2) or owners.min() < 0 or np.any((owners[:, 0] == 0) != (owners[:, 1] == 0)):
+        raise ValueError(f"who has which tool is told by an array of {owners.shape}")
+    if np.any(np.diff(owners[:, 0] > 0, append=True) < 0):
+        raise ValueError("a tool comes before what is shared")
     for number, (turn, shift) in enumerate(zip(turns, shifts, strict=True)):
         prefix = f"part{number}_"
         own = {name.removeprefix(prefix): values for name, values in arrays.items() if name.startswith(prefix)}
+        grips = np.asarray(own.pop(_GRIPS, np.zeros((0, 3))), dtype=np.float64).reshape(-1, 3)
         body = one(own, np.asarray(own.pop(_REST), dtype=np.float64))
         if body.dimension != 3 or body.skin is None or body.parts:
             raise ValueError(f"part {number + 1} is no solid with a skin")
-        parts.append(Part(name=str(number + 1), body=body, first=first, turn=turn, shift=shift))
+        if not np.isfinite(grips).all():
+            raise ValueError(f"part {number + 1} is held where no place is")
+        owner, copies = owners[number].tolist()
+        held = tuple(map(tuple, grips.tolist()))
+        tool = ToolBody(owner=owner - 1, copies=copies, grips=held) if owner else None
+        parts.append(Part(name=str(number + 1), body=body, first=first, turn=turn, shift=shift, tool=tool))
         first += body.nodes
     if _BETWEEN not in arrays:
         return joined(parts), None
     stiffness, loss, friction, kinetic, own = map(float, np.asarray(arrays[_BETWEEN], dtype=np.float64).ravel())
     between = Between(stiffness=stiffness, loss=loss, friction=friction, kinetic=kinetic, own=own != 0.0)
     return joined(parts), between
+
+
+def follows_of(rows: Int, consecutive: Bool) -> Bool:
+    """Whether each recorded state is that of the step before the next, (states,).
+
+    Args:
+        rows: which step each state is of, (states,).
+        consecutive: whether each step follows the one before it.
+    """
+    return np.concatenate([[False], np.diff(rows) == 1]) & consecutive[rows]
+
+
+def unclosed_of(otherwise: Float, v: Float, mean: Float, follows: Bool) -> Float:
+    """Velocities of several bodies before each closed its step by itself, (steps, rows, axes) [m/s].
+
+    No one factor tells that, but where the step before is known its velocity does: `2 v̂ - v`.
+
+    Args:
+        otherwise: what is taken for them where it is not known.
+        v: after each step.
+        mean: in each.
+        follows: of `follows_of`.
+    """
+    before = np.concatenate([v[:1], v[:-1]])
+    return np.where(follows[:, None, None], 2.0 * mean - before, otherwise)

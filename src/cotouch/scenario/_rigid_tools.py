@@ -40,6 +40,7 @@ class RigidTool:
         handle: where the hand holds it at rest, (3,) [m].
         ports: that hold it, (4,), or (0,) where nothing does.
         shares: how much of each of its masses a port's point follows, (ports, 4).
+        hand: what moves it; None: nothing does.
     """
 
     user: int
@@ -47,6 +48,7 @@ class RigidTool:
     handle: Float
     ports: Int
     shares: Float
+    hand: PoseHand | None
 
     @property
     def mass(self) -> float:
@@ -71,13 +73,16 @@ def placed_tools(tables: Sequence[RigidToolTable], numbers: Sequence[int], users
     for number, table in zip(numbers, tables, strict=True):
         if table.user > users:
             raise ScenarioError(f"tools[{number}].user is {table.user}; the network has users 1 to {users}")
+        handle = np.asarray(table.at) + np.asarray(table.handle)
+        points = np.zeros((0, 3)) if table.hand is None else _points(table.hand, handle)
+        grips = tuple((float(x), float(y), float(z)) for x, y, z in points)
         result.append(
             Placed(
                 body=scaled(table.build(), mass=users, rate=_FIRM),
                 name=f"tools[{number}]",
                 at=(table.at[0], table.at[1], table.at[2]),
                 turn=(table.turn[0], table.turn[1], table.turn[2]),
-                tool=ToolBody(owner=table.user - 1, copies=users),
+                tool=ToolBody(owner=table.user - 1, copies=users, grips=grips),
             )
         )
     return result
@@ -104,7 +109,7 @@ def refuse_unfit(body: Body, name: str, *, balls: bool) -> None:
 
 
 def with_tools(
-    hands: Hands, ports: Int, tables: Sequence[RigidToolTable], ready: Model
+    hands: Hands, ports: Int, tables: Sequence[RigidToolTable], ready: Model, user: int | None = None
 ) -> tuple[Hands, Int, list[RigidTool]]:
     """Ports that hold tools beside those of hands, ordered by user; ports of each hand; and the tools.
 
@@ -113,6 +118,7 @@ def with_tools(
         ports: of each hand, (hands, ports per hand).
         tables: of the tools.
         ready: the body with the tools as its last parts, for the kernels.
+        user: whose tools only, from 0; None: those of all.
 
     Raises:
         ScenarioError: a path turns too far.
@@ -120,20 +126,21 @@ def with_tools(
     users, old, body = hands.first.size - 1, hands.row.size, ready.body
     owner = np.repeat(np.arange(users), np.diff(hands.first)).tolist()
     numbers = np.stack([hands.stiffness, hands.damping, hands.begin, hands.release, hands.frequency, hands.phase])
-    # One that holds a node holds one row.
-    first = hands.shape if hands.shape.shape[0] else np.eye(ready.operator_rows)[hands.row]
-    shapes, forced, amplitude = [first], [hands.forced], [hands.amplitude]
+    shapes, forced, amplitude = [hands.shape], [hands.forced], [hands.amplitude]
     columns = [numbers]
     held_paths = pairwise(hands.path_first.tolist())
     paths: list[tuple[Float, Float]] = [(hands.path_time[a:b], hands.path_value[a:b]) for a, b in held_paths]
     handles: list[Float] = []
     held: list[Float] = []
-    for table, part in zip(tables, body.tools, strict=True):
+    both = list(zip(tables, body.tools, strict=True))
+    both = [(table, part) for table, part in both if user is None or table.user == user + 1]
+    for table, part in both:
         handles.append(np.asarray(table.at) + np.asarray(table.handle))
         held.append(np.zeros((0, 4)))
         if table.hand is None:
             continue
-        points, own = _points(table.hand, handles[-1]), table.hand
+        assert part.tool is not None
+        points, own = np.array(part.tool.grips), table.hand
         shape = np.zeros((4, body.nodes))
         held[-1] = shares_of(part.rest(), points)
         shape[:, rows_of(part, ready)] = held[-1]
@@ -168,10 +175,11 @@ def with_tools(
         phase=phase,
     )
     found: list[RigidTool] = []
-    for table, part, handle, shares in zip(tables, body.tools, handles, held, strict=True):
+    for (table, part), handle, shares in zip(both, handles, held, strict=True):
         own = place[old : old + shares.shape[0]]
         old += own.size
-        found.append(RigidTool(user=table.user - 1, part=part, handle=handle, ports=own, shares=shares))
+        whose = table.user - 1
+        found.append(RigidTool(user=whose, part=part, handle=handle, ports=own, shares=shares, hand=table.hand))
     return made, place[ports], found
 
 
