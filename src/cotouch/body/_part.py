@@ -146,6 +146,22 @@ def grip_shares(parts: tuple[Part, ...], nodes: int) -> Float:
     return np.concatenate(found)
 
 
+def drawn_tools(body: "Body", faces: "CutSkin | None" = None) -> list[tuple[int, int, int]]:
+    """First and one past the last of the drawn vertices of each tool, and whose it is.
+
+    Args:
+        body: of one or several.
+        faces: the skin by which it is drawn, if not by its own.
+    """
+    each = [part.skin().vertices.shape[0] for part in body.parts] if faces is None else np.diff(faces.vertices).tolist()
+    last = np.cumsum(each).tolist()
+    return [
+        (end - count, end, part.tool.owner)
+        for part, count, end in zip(body.parts, each, last, strict=True)
+        if part.tool is not None
+    ]
+
+
 def drawn_parts(
     body: "Body", colours: Sequence[str | None] = (), faces: "CutSkin | None" = None
 ) -> list[dict[str, Any]]:
