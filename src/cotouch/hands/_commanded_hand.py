@@ -242,6 +242,8 @@ class CommandedHand:
             ports.stiffness[:first] *= fraction
             ports.damping[:first] *= fraction
             ports.push[:first] *= fraction
+        if fraction == 0.0:
+            self._posed.brake()
         if self._touching is None or not self._tabled:
             return
         before_step_alone(self._touching, self._slot, end, T)

@@ -51,6 +51,12 @@ class _PosedTool:
         ports.stiffness[own] = 0.25 * gain * self._hand.stiffness
         ports.damping[own] = 0.25 * gain * self._hand.damping
 
+    def brake(self) -> None:
+        """Is let go, and comes to rest: nothing else would stop what weighs nothing."""
+        ports, own = self._ports, self._own
+        ports.start[own], ports.end[own], ports.push[own] = 0.0, 0.0, 0.0
+        ports.stiffness[own], ports.damping[own] = 0.0, 0.25 * self._hand.damping
+
     def _held(self) -> Float:
         """How far what holds it has gone from its start, (4, 3) [m]."""
         turned = self._arms @ turning(self._turn.place).T
@@ -116,6 +122,11 @@ class PosedTools:
                 tool.stay(position)
             tool.move(gain, T, **motion)
         self.gain = gain
+
+    def brake(self) -> None:
+        """Lets all of them go, which come to rest."""
+        for tool in self._tools:
+            tool.brake()
 
     def shown(self, which: int, position: Float) -> tuple[list[float], list[float], list[float]]:
         """Where a tool's springs draw its handle, where that is [m], and the force of its hand on it [N].
