@@ -1,18 +1,19 @@
 // What the page may say, and the server checks; made by messages.py from the server's models.
 
 /** How a hand moves, by the number that stands for it in frames. */
-export const HAND_MODES = ["script", "free", "hold", "pull", "wander", "grab", "ball", "blade", "cut"] as const;
+export const HAND_MODES = ["script", "free", "hold", "pull", "wander", "grab", "ball", "blade", "cut", "pose"] as const;
 export type HandMode = (typeof HAND_MODES)[number];
 
 /** A hand of `Scene.own` does something. */
 export interface MoveHand {
   what: "hand";
   slot: number; // the slot of a user, counted from 0
-  mode: "script" | "free" | "hold" | "pull" | "wander" | "cut"; // one of script, free, hold, pull, wander, cut
+  mode: "script" | "free" | "hold" | "pull" | "wander" | "cut" | "pose"; // one of script, free, hold, pull, wander, cut, pose
   node?: number; // a node, counted from 0, or -1 for what is held
   to?: readonly [number, number, number] | null; // 3 numbers, each at most 10000 m
   at?: readonly [number, number, number] | null; // 3 numbers, each at most 10000 m
   edge?: readonly [number, number, number] | null; // 3 numbers, each at most 10000 m
+  turn?: readonly [number, number, number] | null; // 3 numbers, each at most 4 rad
 }
 
 /** A path is made worse, or better again; what is missing stays as it is. */

@@ -50,6 +50,7 @@ ground_stiffness = 200.0
 )
 TOOL = BLOCK + "\n[[tools]]\nuser = 1\nat = [0.09, 0.02, 0.02]\nradius = 0.008\n[tools.hand]\npath = [0.1, 0.0, 0.0]\n"
 GRASP = BLOCK + '\n[[tools]]\nuser = 1\nat = [0.06, 0.04, 0.04]\nradius = 0.012\nkind = "grasp"\n'
+RIGID = BLOCK + '\n[[tools]]\nuser = 2\nkind = "box"\nsize = [0.01, 0.01, 0.01]\nat = [0.03, 0.02, 0.1]\n'
 
 
 @dataclass
@@ -230,6 +231,7 @@ def test_a_device_in_each_hand_moves_a_tool_each():
         (POINT, [{}, {}], "what hand 2 of user 1 holds, which has 0; give the session's file another"),
         (BLOCK, [{"tool": 1}, {"tool": 1}], "two devices are to move the same tool of user 1"),
         (POINT + '[[session.devices]]\ncoupling = "virtual"\n', [{}], "friction of Force Dimension omega.3 is 0"),
+        (RIGID, [{}], "the session has rigid tools, which no device leads or meets; take part without a device"),
     ],
 )
 def test_what_a_slot_has_not_is_refused_in_a_sentence(text: str, links: list[dict], said: str):

@@ -393,7 +393,8 @@ class TestChoice:
     def test_what_the_workspace_held_does_not_matter(self, cap: int):
         clean, dirty = Copy(in_motion(soft_lattice((6, 5)))), Copy(in_motion(soft_lattice((6, 5))))
         for array in dirty.work:
-            array[...] = np.nan
+            if array.dtype == np.float64:  # which rows are solved for at once is no scratch
+                array[...] = np.nan
         clean.step(0.02, cap=cap)
         dirty.step(0.02, cap=cap)
         assert clean.iterations == min(cap, self.predicted(clean, 1e-15))

@@ -7,9 +7,10 @@ from hypothesis import strategies as st
 from tests.web.fake_session_api import made_body
 from tests.web.reader import read_frame
 
-from cotouch.body import chain
+from cotouch.body import Placed, ToolBody, chain, rigid_box, together
 from cotouch.observers import CopyView, HandView
 from cotouch.web._frames import FrameEncoder
+from cotouch.web._scene import beside_nodes, nodes_of_points
 
 SOFT = made_body("3d")
 
@@ -126,3 +127,20 @@ def test_who_asked_for_one_copy_gets_one():
     assert sorted(shown(encoder, views, {2}).copies) == [2]
     encoder.update({v.slot: v for v in views}, {1})
     assert sorted(read_frame(encoder.frame({0, 1, 2}, number=1, time=0.0, start=0.0)).copies) == [1]
+
+
+def test_a_tool_is_seen_in_its_users_copy_alone_and_held_in_none():
+    die, bar = rigid_box([0.02, 0.02, 0.02], mass=0.1), rigid_box([0.04, 0.01, 0.01], mass=0.1)
+    tool = Placed(body=bar, name="bar", at=(0.0, 0.0, 0.05), tool=ToolBody(owner=1, copies=2))
+    body = together([Placed(body=die, name="die"), tool])
+    assert body.skin is not None
+    first, still = die.skin.vertices.shape[0], np.zeros((8, 3), np.float32)
+    picture = shown(FrameEncoder(body), [view(slot, still) for slot in (0, 1)])
+    places = [body.skin.vertices + picture.copies[slot].displacement for slot in (0, 1)]
+    assert np.ptp(places[0][first:], axis=0) == pytest.approx(0.0, abs=2 * picture.scale)
+    assert places[1] == pytest.approx(body.skin.vertices)
+    assert places[0][:first] == pytest.approx(places[1][:first])
+    nodes = nodes_of_points(body)
+    assert (nodes[first:] == body.holds).all()
+    assert nodes[:first] == pytest.approx(np.arange(4, 4 + first))
+    assert beside_nodes(body)[:first] == pytest.approx(0.0)

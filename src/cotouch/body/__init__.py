@@ -13,13 +13,13 @@ from cotouch.body._ground import Box, Held, NodeSet, Plane
 from cotouch.body._material import Frame, Material
 from cotouch.body._mesh_material import SolidModel, SurfaceModel
 from cotouch.body._origin import Origin
-from cotouch.body._part import Part, ToolBody, drawn_parts, pulls_of
+from cotouch.body._part import Part, ToolBody, drawn_parts, drawn_tools, grip_shares, pulls_of
 from cotouch.body._reading import Unit
 from cotouch.body._rigid import rigid_body, scaled
 from cotouch.body._shapes import rigid_box, rigid_cylinder, rigid_sphere, turning
 from cotouch.body._skin import Skin
 from cotouch.body._statics import lowest_modes
-from cotouch.body._strains import SIGNS, frame_of, shares_of, strain_law
+from cotouch.body._strains import SIGNS, axial, frame_of, shares_of, strain_law, turn_vectors
 from cotouch.body._together import Placed, joined, together
 from cotouch.body._truncation import Truncation
 from cotouch.meshfile import SURFACES, VOLUMES, is_surface
@@ -53,6 +53,7 @@ __all__ = [
     "ToolBody",
     "Truncation",
     "Unit",
+    "axial",
     "body_from_surface",
     "body_from_tetrahedra",
     "canonical",
@@ -61,7 +62,9 @@ __all__ = [
     "cut_skin",
     "drawn_parts",
     "drawn_skin",
+    "drawn_tools",
     "frame_of",
+    "grip_shares",
     "is_surface",
     "joined",
     "lattice",
@@ -76,6 +79,7 @@ __all__ = [
     "shares_of",
     "strain_law",
     "together",
+    "turn_vectors",
     "turning",
     "with_faces",
 ]

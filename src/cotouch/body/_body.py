@@ -185,7 +185,7 @@ class Body:
     def held_rest(self) -> Float:
         """What hands can hold at rest: nodes, and of a rigid body its skin's vertices and `places`, (H, d) [m]."""
         if not self.rigid:
-            return self.rest
+            return self.rest[: self.shared]
         return np.concatenate([self.rest[: self.shared], held_vertices(self.parts, self.skin), self.places])
 
     @cached_property

@@ -26,10 +26,12 @@ class ToolBody:
     Attributes:
         owner: whose it is, from 0.
         copies: N, >= 1.
+        grips: where a hand holds it at rest, (G, 3) [m].
     """
 
     owner: int
     copies: int
+    grips: tuple[tuple[float, ...], ...] = ()
 
 
 @final
@@ -126,6 +128,38 @@ def held_shares(parts: tuple[Part, ...], held: Float, nodes: int) -> Float:
         own = owner == number
         result[own, part.first : part.last] = shares_of(part.rest(), held[own])
     return result
+
+
+def grip_shares(parts: tuple[Part, ...], nodes: int) -> Float:
+    """How much of each node what holds tools follows, those of one tool after the other, (G, nodes).
+
+    Args:
+        parts: the bodies.
+        nodes: of all.
+    """
+    found = [np.zeros((0, nodes))]
+    for part in parts:
+        if part.tool is not None and part.tool.grips:
+            own = np.zeros((len(part.tool.grips), nodes))
+            own[:, part.first : part.last] = shares_of(part.rest(), np.array(part.tool.grips))
+            found.append(own)
+    return np.concatenate(found)
+
+
+def drawn_tools(body: "Body", faces: "CutSkin | None" = None) -> list[tuple[int, int, int]]:
+    """First and one past the last of the drawn vertices of each tool, and whose it is.
+
+    Args:
+        body: of one or several.
+        faces: the skin by which it is drawn, if not by its own.
+    """
+    each = [part.skin().vertices.shape[0] for part in body.parts] if faces is None else np.diff(faces.vertices).tolist()
+    last = np.cumsum(each).tolist()
+    return [
+        (end - count, end, part.tool.owner)
+        for part, count, end in zip(body.parts, each, last, strict=True)
+        if part.tool is not None
+    ]
 
 
 def drawn_parts(

@@ -69,3 +69,35 @@ def shares_of(rest: Float, places: Float) -> Float:
     inverse = np.asarray(np.linalg.inv(edges), dtype=np.float64)
     shares: Float = (places - rest.mean(axis=0)) @ inverse + 0.25
     return np.concatenate([1.0 - shares.sum(axis=1, keepdims=True), shares], axis=1)
+
+
+def turn_vectors(turn: Float) -> Float:
+    """Rotation vectors of the rotations that are nearest to matrices; NaN of what was not reached [Horn 1987].
+
+    Args:
+        turn: (records, 3, 3).
+    """
+    result = np.full((turn.shape[0], 3), np.nan)
+    sound = np.isfinite(turn).all(axis=(1, 2))
+    a = turn[sound]
+    both = a + np.swapaxes(a, 1, 2)
+    form = np.empty((a.shape[0], 4, 4))
+    form[:, 0, 0] = trace = np.trace(a, axis1=1, axis2=2)
+    form[:, 0, 1:] = form[:, 1:, 0] = axial(a)
+    form[:, 1:, 1:] = both - trace[:, None, None] * np.eye(3)
+    quaternion = np.linalg.eigh(form)[1][:, :, -1]
+    quaternion *= np.where(quaternion[:, :1] < 0.0, -1.0, 1.0)
+    sine = np.linalg.norm(quaternion[:, 1:], axis=1)
+    angle = 2.0 * np.arctan2(sine, quaternion[:, 0])
+    scale = np.divide(angle, sine, out=np.full_like(sine, 2.0), where=sine > 0.0)
+    result[sound] = scale[:, None] * quaternion[:, 1:]
+    return result
+
+
+def axial(matrix: Float) -> Float:
+    """Twice the axial vector of matrices' skew parts, (records, 3).
+
+    Args:
+        matrix: (records, 3, 3).
+    """
+    return np.stack([matrix[:, c, b] - matrix[:, b, c] for b, c in ((1, 2), (2, 0), (0, 1))], axis=1)

@@ -16,10 +16,13 @@ from cotouch.hands._ball import Ball, ball_table
 from cotouch.hands._blade import Blade, blade_table
 from cotouch.hands._led import LedTool
 from cotouch.hands._motion import Mover, Wander
+from cotouch.hands._posed import PosedTools
+from cotouch.hands._shown import write_hand
 from cotouch.mechanics import AWAY, Contact, Surface, Tools
-from cotouch.members import Slot, no_ports
-from cotouch.observers import HAND_MODES, HandCommand, HandMode, size_of
+from cotouch.members import Slot, grips_of, no_ports
+from cotouch.observers import HandCommand, HandMode, size_of
 from cotouch.scenario import (
+    RigidTool,
     Scenario,
     after_step_alone,
     before_step_alone,
@@ -27,6 +30,7 @@ from cotouch.scenario import (
     ports_of,
     tools_of,
     touching_of,
+    with_tools,
 )
 
 # A pointer that holds or pushes and is not heard of for so long has gone [s].
@@ -86,13 +90,19 @@ class CommandedHand:
         scenario, body, model, slot = at.scenario, at.body, at.model, at.index
         users, axes = scenario.network.size, body.dimension
         own = [hand for hand in scenario.hands if hand.user == slot + 1]
-        self._hands, _ = ports_of(own, users, body, model)
+        self._hands, ports = ports_of(own, users, body, model)
+        rigid: list[RigidTool] = []
+        if body.tools:
+            self._hands, _, rigid = with_tools(self._hands, ports, scenario.rigid_tools, model, slot)
         self._each = axes if model.full else 1  # ports of a hand
         self._held = [hand.node - 1 for hand in own]
         self._node = self._held[0] if own else 0
         self._first = first = self._hands.row.size  # port of what can be told
         self.ports = no_ports(model, [*self._hands.row.tolist(), *model.port_rows(self._node).tolist()])
-        self._scripted_nodes = [node for node in self._held for _ in range(self._each)]
+        if self.ports.shape.shape[0]:
+            self.ports.shape[:first] = self._hands.shape
+        self._posed = PosedTools(rigid, self.ports, model)
+        self._scripted_nodes = [node for node in self._held for _ in range(self._each)] + grips_of(body, slot)
         self.nodes = [*self._scripted_nodes, *[self._node] * self._each]
         assert self.ports.last == first + self._each
         self._cursor, self._lanes = self._hands.path_first[:-1].copy(), model.lanes
@@ -111,8 +121,9 @@ class CommandedHand:
         self.tools: Tools | None = None
         self.contact: Contact | None = None
         tables = [tool for tool in scenario.proxies if tool.user == slot + 1]
-        balls = [ball_table(slot, body, size=self._size, stiffness=self.usual)] if body.skin is not None else []
-        cutting = body.cut_count > 0
+        touches = body.skin is not None and not body.tools  # it would meet everybody's, also where these are not
+        balls = [ball_table(slot, body, size=self._size, stiffness=self.usual)] if touches else []
+        cutting = body.cut_count > 0 and not body.tools
         cutting &= scenario.cutting is None or scenario.cutting.may(slot + 1)
         blades = [blade_table(slot, body, size=self._size)] if cutting else []
         if tables or balls or blades:
@@ -138,6 +149,7 @@ class CommandedHand:
         self._drawn = [t for t, tool in enumerate(tables) if tool.device is None]  # tools that no device moves
         self._blades = {t for t, tool in enumerate(tables) if tool.kind == "blade"}
         self._slots = [*(("hand", h) for h in range(len(own))), *(("tool", t) for t in range(len(tables)))]
+        self._slots += [("rigid", k) for k in range(self._posed.count)]
         self.mode: HandMode = "script" if scripted else "free"
         self.received = 0
         self._script, self._grasp = float(scripted), 0.0  # how much of each there is
@@ -166,6 +178,7 @@ class CommandedHand:
             if self._silent > SILENCE:
                 self.mode = "free"
         self._follow_script(end, T)
+        self._pose(T)
         self._hold(end, T)
         if self._ball is not None:
             self._lead(self._ball, self.mode == "ball", T, _POINTED)
@@ -192,6 +205,7 @@ class CommandedHand:
         """Begins with what it is told."""
         self.received = request.pointer or self.received
         lacks = (request.mode == "ball" and self._ball is None) or (request.mode in _CUTTING and self._blade is None)
+        lacks |= request.mode == "pose" and max(request.node, 0) >= self._posed.count
         mode = "free" if lacks else request.mode
         if request.stiffness > 0.0:
             self._wanted_stiffness = min(request.stiffness, _MOST * self.usual)
@@ -213,11 +227,14 @@ class CommandedHand:
             self._blade.want(request.edge)
             if self._blade.gain == 0.0:
                 self._blade.put(request.start)
+        elif mode == "pose":
+            assert self._position is not None
+            self._posed.want(max(request.node, 0), target, request.turn, self._position)
         self.mode = mode
 
     def _follow_script(self, end: float, T: float) -> None:
         """Hands and tools of the file, as far as they act."""
-        fraction = self._script = _toward(self._script, self.mode == "script", T, _RETURN)
+        fraction = self._script = _toward(self._script, self.mode == "script" and not self._posed.act, T, _RETURN)
         ports, first = self.ports, self._first
         for port in range(first):
             grip(self._hands, ports, self._cursor, port, end, T, self._lanes)
@@ -225,6 +242,8 @@ class CommandedHand:
             ports.stiffness[:first] *= fraction
             ports.damping[:first] *= fraction
             ports.push[:first] *= fraction
+        if fraction == 0.0:
+            self._posed.brake()
         if self._touching is None or not self._tabled:
             return
         before_step_alone(self._touching, self._slot, end, T)
@@ -235,6 +254,15 @@ class CommandedHand:
                 tools.push[t] *= fraction
                 if fraction == 0.0:
                     tools.mode[t] = AWAY
+
+    def _pose(self, T: float) -> None:
+        """Rigid tools that are led, once what the file says of them has faded."""
+        there, (speed, sharpness, rush) = self.mode == "pose" and self._script == 0.0, _PULLED
+        if self._posed.act or there:
+            assert self._position is not None
+            gain = _toward(self._posed.gain, there, T, _GROW)
+            motion = {"speed": speed * self._size, "sharpness": sharpness, "rush": rush * self._size}
+            self._posed.move(gain, T, self._position, **motion)
 
     def _hold(self, end: float, T: float) -> None:
         """The spring at the node that was chosen."""
@@ -322,6 +350,8 @@ class CommandedHand:
             write_hand(
                 fields, 0, self.mode, self._node, self._mover.place, self._where(self._node), self._force(self._first)
             )
+        elif self._posed.count and (self.mode == "pose" or self._posed.act):
+            self._show_scripted(fields, 0, "rigid", self._posed.led)
         elif self._slots and self.mode == "script":
             self._show_scripted(fields, 0, *self._slots[0])
         else:
@@ -343,6 +373,11 @@ class CommandedHand:
                 edge=tools.axis[index, :3].tolist() if index in self._blades else (),
             )
             return
+        if kind == "rigid":
+            assert self._position is not None
+            mode = "pose" if self._posed.act else "script"
+            write_hand(fields, k, mode, -1, *self._posed.shown(index, self._position))
+            return
         node, port = self._held[index], index * self._each
         place, ports = self._where(node), self.ports
         if not ports.stiffness[port] and not ports.push[port : port + self._each].any():
@@ -360,35 +395,3 @@ class CommandedHand:
 def _toward(fraction: float, there: bool, T: float, grow: float) -> float:
     """A share that grows to 1 or fades to 0."""
     return min(1.0, fraction + T / grow) if there else max(0.0, fraction - T / _FADE)
-
-
-def write_hand(
-    fields: dict[str, npt.NDArray[Any]],
-    k: int,
-    mode: HandMode,
-    node: int,
-    target: Sequence[float],
-    place: Sequence[float],
-    force: Sequence[float],
-    radius: float = 0.0,
-    *,
-    edge: Sequence[float] = (),
-) -> None:
-    """Writes one hand into a mailbox; axes that the body lacks are 0.
-
-    Args:
-        fields: see `view_fields`.
-        k: which hand, from 0.
-        mode: see `HandMode`.
-        node: that it holds, from 0; -1: none.
-        target: where the hand is; empty: at the place [m].
-        place: of what it holds or pushes with [m].
-        force: of the hand on the object; empty: none [N].
-        radius: of the ball that pushes; 0: it holds [m].
-        edge: of the blade, from its place to the other end; empty: it has none [m].
-    """
-    fields["mode"][k] = HAND_MODES.index(mode)
-    fields["node"][k] = node
-    fields["radius"][k] = radius
-    for name, value in (("target", target or place), ("place", place), ("force", force), ("edge", edge)):
-        fields[name][k] = (*value, *(0.0,) * (3 - len(value)))

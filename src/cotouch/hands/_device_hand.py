@@ -69,6 +69,8 @@ class DeviceHand:
         """
         scenario, body, model, slot = at.scenario, at.body, at.model, at.index
         links = [] if link is None else list(link) if isinstance(link, Sequence) else [link]
+        if links and body.tools:
+            raise DeviceError("the session has rigid tools, which no device leads or meets; take part without a device")
         wanted = _tools_wanted([one.said for one in links], slot)
         self.nodes: list[int] = []
         self.ports = no_ports(model)

@@ -19,7 +19,7 @@ from cotouch.mechanics._contact_snap import begin_snap, end_snap, owed_drag
 from cotouch.mechanics._contact_solve import lacking, solve_touched
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import Contact, ContactWork
-from cotouch.mechanics._direction import level, predict
+from cotouch.mechanics._direction import hold_ports, level, predict
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import looks_ahead
 from cotouch.mechanics._grasp import feel_grasp, take
@@ -127,6 +127,7 @@ def contact_step(
             assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
             if force is not None:
                 lean_world(force.world, op.copy_scale * op.firmness, mean, work, lanes)
+                hold_ports(op, ports, work)
         if number >= looks and near:
             ledger[ITERATIONS] += correct_near(op, work, touch, cap, lanes)
         else:

@@ -1,4 +1,4 @@
-"""Solving for few rows at once, where a law gives its true tangent: a dense matrix on top of what a step assembles."""
+"""Solving for the rows of rigid bodies at once, whose law gives its true tangent: a dense matrix on top of the rest."""
 
 from cotouch.arrays import Float
 from cotouch.mechanics._kernel import part
@@ -9,36 +9,40 @@ from cotouch.mechanics._vector import at, put
 
 @part
 def solve_dense(op: Operator, ports: Ports, work: Workspace) -> None:
-    """Writes into `mean` what `(D + families + ports + dense) v̂ = rhs` asks for.
+    """Writes into `mean`, at rows that are solved for at once, what `(D + families + ports + dense) v̂ = rhs` asks for.
 
     Args:
         op: the body.
         ports: what holds the copy.
         work: `diagonal`, `scale`, `port_gain`, `dense` and `rhs` are read.
     """
-    rows, matrix, right = op.mass.shape[0], work.factor, work.answer
-    size = 3 * rows
+    among, matrix, right = work.among, work.factor, work.answer
+    size = 3 * among.shape[0]
     for p in range(size):
         for q in range(size):
             put(matrix, (p, q), at(work.dense, (p, q)))
-    for i in range(rows):
+    for r in range(among.shape[0]):
+        i = at(among, r)
         for a in range(3):
-            put(right, 3 * i + a, at(work.rhs, (i, a)))
-        _add(matrix, i, i, at(work.diagonal, i))
+            put(right, 3 * r + a, at(work.rhs, (i, a)))
+        _add(matrix, r, r, at(work.diagonal, i))
         for family in range(op.entries.shape[0]):
             for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
-                _add(matrix, i, at(op.column, e), at(work.scale, family) * at(op.entries, (family, e)))
+                s = at(work.rigid, at(op.column, e))
+                if s >= 0:
+                    _add(matrix, r, s, at(work.scale, family) * at(op.entries, (family, e)))
     if ports.shape.shape[0] > 0:
         for p in range(ports.first, ports.last):
             gain = at(work.port_gain, p - ports.first)
             if gain != 0.0:
-                for i in range(rows):
-                    for j in range(rows):
-                        _add(matrix, i, j, gain * at(ports.shape, (p, i)) * at(ports.shape, (p, j)))
+                for r in range(among.shape[0]):
+                    share = gain * at(ports.shape, (p, at(among, r)))
+                    for s in range(among.shape[0] if share != 0.0 else 0):
+                        _add(matrix, r, s, share * at(ports.shape, (p, at(among, s))))
     _eliminate(matrix, right, size)
-    for i in range(rows):
+    for r in range(among.shape[0]):
         for a in range(3):
-            put(work.mean, (i, a), at(right, 3 * i + a))
+            put(work.mean, (at(among, r), a), at(right, 3 * r + a))
 
 
 @part

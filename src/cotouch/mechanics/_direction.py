@@ -50,6 +50,8 @@ def direct(
         ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, 0, cap, lanes)
         return 1.0, 0.0
     lack(op, T, work, lanes)
+    lack_ports(op, ports, work)
+    hold_ports(op, ports, work)
     for i in range(op.mass.shape[0]):
         store(work.pull, i, load(work.mean, i, lanes), lanes)
     move_whole(op, force.parts, T, work, lanes)
@@ -101,6 +103,39 @@ def lack(op: Operator, T: float, work: Workspace, lanes: tuple[int, ...]) -> Non
         for family in range(op.entries.shape[0] if couples else 0):
             left = left - _beside(op, T, family, work) * row_product(op, family, i, work.mean, lanes)
         store(work.rhs, i, left, lanes)
+    for p in range(work.dense.shape[0]):
+        i, a, given = at(work.among, p // 3), p % 3, 0.0
+        for q in range(work.dense.shape[1]):
+            given += at(work.dense, (p, q)) * at(work.mean, (at(work.among, q // 3), q % 3))
+        put(work.rhs, (i, a), at(work.rhs, (i, a)) - given)
+
+
+@part
+def lack_ports(op: Operator, ports: Ports, work: Workspace) -> None:
+    """Takes off the right-hand side what ports that hold many rows resist v̂."""
+    if ports.shape.shape[0] > 0:
+        for p in range(ports.first, ports.last):
+            for a in range(3):
+                goes = 0.0
+                for i in range(op.mass.shape[0]):
+                    goes += at(ports.shape, (p, i)) * at(work.mean, (i, a))
+                goes *= at(work.port_gain, p - ports.first)
+                for i in range(op.mass.shape[0]):
+                    put(work.rhs, (i, a), at(work.rhs, (i, a)) - at(ports.shape, (p, i)) * goes)
+
+
+@part
+def hold_ports(op: Operator, ports: Ports, work: Workspace) -> None:
+    """Puts on the diagonal how ports resist rows that are solved for one by one beside others that are so at once.
+
+    There each port holds one row.
+    """
+    if ports.shape.shape[0] > 0 and work.dense.shape[0] > 0:
+        for p in range(ports.first, ports.last):
+            gain = at(work.port_gain, p - ports.first)
+            for i in range(op.mass.shape[0]):
+                if at(work.rigid, i) < 0:
+                    put(work.diagonal, i, at(work.diagonal, i) + gain * at(ports.shape, (p, i)) ** 2)
 
 
 @inner
@@ -115,7 +150,10 @@ def _row(op: Operator, T: float, i: int, couples: bool, work: Workspace) -> floa
 
 @part
 def move_whole(op: Operator, parts: Parts | None, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Moves each body as a whole, in `pull`, as its momentum asks; the right-hand side gets what is left to solve."""
+    """Moves each body as a whole, in `pull`, as its momentum asks; the right-hand side gets what is left to solve.
+
+    What is solved for at once is so as a whole.
+    """
     couples = _couples(op)
     if parts is None:
         left, whole = splat(0.0, lanes), 0.0
@@ -132,12 +170,14 @@ def move_whole(op: Operator, parts: Parts | None, T: float, work: Workspace, lan
             put(parts.sums, (b, what), 0.0)
     for i in range(op.mass.shape[0]):
         b = at(parts.part, i)
+        if at(work.rigid, i) >= 0:
+            continue
         put(parts.sums, (b, 0), at(parts.sums, (b, 0)) + _row(op, T, i, couples, work))
         for a in range(3):
             put(parts.sums, (b, 1 + a), at(parts.sums, (b, 1 + a)) + at(work.rhs, (i, a)))
     for i in range(op.mass.shape[0]):
         b, own = at(parts.part, i), _row(op, T, i, couples, work)
-        for a in range(3):
+        for a in range(3 if at(work.rigid, i) < 0 else 0):
             goes = at(parts.sums, (b, 1 + a)) / at(parts.sums, (b, 0))
             put(work.rhs, (i, a), at(work.rhs, (i, a)) - own * goes)
             put(work.pull, (i, a), at(work.pull, (i, a)) + goes)
@@ -273,18 +313,18 @@ def _lean(
     op: Operator, force: BodyForce, state: State, T: float, rate: Float, work: Workspace, lanes: tuple[int, ...]
 ) -> bool:
     """Puts the law's tangent at a rate into `dense`, and off `tension` what that does; whether the rate has settled."""
-    rows, dense = op.mass.shape[0], work.dense
+    among, dense = work.among, work.dense
     for p in range(dense.shape[0]):
         for q in range(dense.shape[1]):
             put(dense, (p, q), 0.0)
     lean(force.law, state.memory, state.position, work.ahead, rate, T, dense, lanes)
     change, size = 0.0, 0.0
-    for i in range(rows):
+    for r in range(among.shape[0]):
+        i = at(among, r)
         for a in range(3):
             given = 0.0
-            for j in range(rows):
-                for b in range(3):
-                    given += at(dense, (3 * i + a, 3 * j + b)) * at(rate, (j, b))
+            for q in range(dense.shape[1]):
+                given += at(dense, (3 * r + a, q)) * at(rate, (at(among, q // 3), q % 3))
             put(state.tension, (i, a), at(state.tension, (i, a)) - op.firmness * given)
             change += (at(rate, (i, a)) - at(work.tried, (i, a))) ** 2
             size += at(rate, (i, a)) ** 2

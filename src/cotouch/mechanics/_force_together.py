@@ -52,6 +52,7 @@ class Together(NamedTuple):
         slot: and where, (bodies,).
         first: first node of each body, (bodies + 1,).
         row: row of the kernels of each node, (nodes,).
+        rigid: which of the rows that are solved for at once each row is, (rows,); negative: none of them.
         turn: rotation of each body's rest shape, (bodies, 9).
         memory: where each body's memory begins, (bodies + 1,).
         energy: result: energy [J] and dissipated power [W] of each body, (bodies, 2).
@@ -67,6 +68,7 @@ class Together(NamedTuple):
     slot: Int
     first: Int
     row: Int
+    rigid: Int
     turn: Float
     memory: Int
     energy: Float
@@ -78,7 +80,7 @@ class Together(NamedTuple):
 
 
 def together_of(
-    laws: Sequence[Any], memories: Sequence[int], rows: Sequence[Int], turns: Sequence[Float], *, dense: bool
+    laws: Sequence[Any], memories: Sequence[int], rows: Sequence[Int], turns: Sequence[Float], rigid: Int
 ) -> Together:
     """The law of several bodies.
 
@@ -87,21 +89,23 @@ def together_of(
         memories: how many numbers each remembers.
         rows: row of the kernels of each node of each body.
         turns: rotation of each rest shape, (3, 3).
-        dense: whether all rows are solved for at once.
+        rigid: see `Together`.
     """
     kinds: list[type] = sorted({type(law) for law in laws}, key=_name)
     of_kind = [[law for law in laws if type(law) is kind] for kind in kinds]
     most = max(own.size for own in rows)
+    wide = 3 * max((own.size for own in rows if rigid[own[0]] >= 0), default=0)
     return Together(
         packs=tuple(_pack(same) for same in of_kind),
         kind=np.array([kinds.index(type(law)) for law in laws], dtype=np.int32),
         slot=np.array([sum(type(o) is type(law) for o in laws[:b]) for b, law in enumerate(laws)], dtype=np.int32),
         first=np.cumsum([0, *(own.size for own in rows)]).astype(np.int32),
         row=np.concatenate(rows).astype(np.int32),
+        rigid=rigid,
         turn=np.ascontiguousarray([turn.ravel() for turn in turns]),
         memory=np.cumsum([_HEAD, *memories]).astype(np.int32),
         energy=np.zeros((len(laws), 2)),
-        tangent=np.zeros((3 * most, 3 * most) if dense else (0, 0)),
+        tangent=np.zeros((wide, wide)),
         **{name: np.zeros((most, 4)) for name in ("place", "ahead", "rate", "out")},
     )
 
@@ -332,6 +336,8 @@ def lean_together(
     """Adds how the forces of bodies of few rows grow with the rate; see `cotouch.mechanics.BodyForce`."""
     for b in range(law.kind.shape[0]):
         begins, r, wide = at(law.first, b), 9 * b, law.tangent.shape[0]
+        if at(law.rigid, at(law.row, begins)) < 0:
+            continue
         count = at(law.first, b + 1) - begins
         _into(law, b, x, law.place)
         _into(law, b, ahead, law.ahead)
@@ -352,7 +358,8 @@ def lean_together(
         )
         for n in range(count):
             for o in range(count):
-                i, j = 3 * at(law.row, begins + n), 3 * at(law.row, begins + o)
+                i = 3 * at(law.rigid, at(law.row, begins + n))
+                j = 3 * at(law.rigid, at(law.row, begins + o))
                 for a in range(3):
                     for c in range(3):
                         value = 0.0

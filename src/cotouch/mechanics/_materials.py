@@ -20,6 +20,8 @@ from cotouch.mechanics._force_together import Together, together_of
 from cotouch.mechanics._fours import blocks
 from cotouch.mechanics._meeting import Parts
 from cotouch.mechanics._meeting_skin import parts_of
+from cotouch.mechanics._state import numbered
+from cotouch.mechanics._tool_bodies import rigid_rows
 
 Int = npt.NDArray[np.int32]
 
@@ -72,7 +74,8 @@ def _own(part: Part) -> Material:
 
 def _outlines(body: Body) -> Body:
     """Of several bodies: those of each, side by side."""
-    each = [outline_of(part.body, _own(part), tangent=body.rigid) for part in body.parts]
+    tangent = body.rigid or bool(body.tools)
+    each = [outline_of(part.body, _own(part), tangent=tangent) for part in body.parts]
     joined: dict[str, Any] = {
         name: sp.csr_array(sp.block_diag([getattr(one, name) for one in each], format="csr"))
         for name in ("mass", "damping_int", "damping_ext", "stiffness_int", "stiffness_ext")
@@ -144,7 +147,7 @@ def force_of(body: Body, material: Material, order: Int | None) -> tuple[BodyFor
     rest[:, : body.dimension] = body.rest - body.rest.mean(axis=0)
     parts: Parts | None = None
     if body.parts:
-        law, size, directions = _together(body, row)
+        law, size, directions = _together(body, row, numbered(rigid_rows(body, order), nodes))
         parts = parts_of(body, order, law.memory, law.energy)
     else:
         law, rotations = _law(body, material, row, rest)
@@ -160,7 +163,7 @@ def force_of(body: Body, material: Material, order: Int | None) -> tuple[BodyFor
     return BodyForce(law=law, gravity=gravity, directions=directions, grain=grain, parts=parts), size
 
 
-def _together(body: Body, row: Int) -> tuple[Together, int, int]:
+def _together(body: Body, row: Int, rigid: Int) -> tuple[Together, int, int]:
     """The laws of several bodies, each with its own nodes as rows; how many numbers they remember; looks they need."""
     laws: list[Any] = []
     sizes: list[int] = []
@@ -171,7 +174,7 @@ def _together(body: Body, row: Int) -> tuple[Together, int, int]:
         sizes.append(size)
         looks = max(looks, made.directions)
     rows = [row[part.first : part.last] for part in body.parts]
-    law = together_of(laws, sizes, rows, [part.turn for part in body.parts], dense=body.rigid)
+    law = together_of(laws, sizes, rows, [part.turn for part in body.parts], rigid)
     return law, int(law.memory[-1]), looks
 
 

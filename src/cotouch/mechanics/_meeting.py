@@ -133,9 +133,9 @@ class Meeting(NamedTuple):
         face: scratch: that triangle, and whether the nearest point lies within it; then where it ends, (P, 4).
         ended: scratch: as `began`, where the step would end.
         coefficient: scratch: how much of each row moves a point past its triangle, (rows,).
-        moved: scratch: rows for which that is not 0, (rows,).
+        moved: scratch: rows for which that is not 0, of those that are solved for at once, (rows,).
         alike: scratch: what resists motion between rows that are solved for at once, the same along each axis, on
-            the diagonal and below it, (rows, rows), or (0, 0) [Ns/m].
+            the diagonal and below it, (these rows, these rows) [Ns/m].
         met: result.
         push: result: what tools do to the rows of the others, for the whole body, (rows, 4); (0, 4) without tools [N].
     """

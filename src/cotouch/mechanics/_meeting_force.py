@@ -232,8 +232,11 @@ def press_bodies(
 
 
 @inner
-def _note(m: Meeting, count: int, row: int, share: float) -> int:
-    """Adds to a row's coefficient; returns how many rows there are."""
+def _note(world: World, m: Meeting, count: int, own: int, share: float) -> int:
+    """Adds to the coefficient of a row that is solved for at once with others; returns how many these are."""
+    row = at(world.rigid, own)
+    if row < 0:
+        return count
     for n in range(count):
         if at(m.moved, n) == row:
             put(m.coefficient, n, at(m.coefficient, n) + share)
@@ -248,11 +251,11 @@ def _couple(world: World, m: Meeting, e: int, f: int, firm: float) -> None:
     """What resists that an entry's point passes its triangle, between all rows that move either."""
     p, count = at(m.point, e), 0
     for n in range(at(world.pointer, p), at(world.pointer, p + 1)):
-        count = _note(m, count, at(world.row, n), at(world.share, n))
+        count = _note(world, m, count, at(world.row, n), at(world.share, n))
     for q in range(3):
         v = at(m.corner, (f, q))
         for n in range(at(m.pointer, v), at(m.pointer, v + 1)):
-            count = _note(m, count, at(m.row, n), -at(m.ended, (e, 4 + q)) * at(m.share, n))
+            count = _note(world, m, count, at(m.row, n), -at(m.ended, (e, 4 + q)) * at(m.share, n))
     for i in range(count):
         one, own = at(m.moved, i), firm * at(m.coefficient, i)
         for j in range(count):

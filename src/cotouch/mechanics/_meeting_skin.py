@@ -12,7 +12,7 @@ from cotouch.body import Body, CutSkin
 from cotouch.mechanics._meeting import Between, Meeting, Met, Parts
 from cotouch.mechanics._meeting_own import own_of, unmet
 from cotouch.mechanics._shape_solid import Solid
-from cotouch.mechanics._tool_bodies import copies_of
+from cotouch.mechanics._tool_bodies import copies_of, rigid_rows
 from cotouch.mechanics._world import Obstacle
 
 Int = npt.NDArray[np.int32]
@@ -178,7 +178,7 @@ def meeting_of(
         ended=np.zeros((count + 1, 8)),
         coefficient=np.zeros(body.nodes),
         moved=np.zeros(body.nodes, dtype=np.int32),
-        alike=np.zeros((body.nodes,) * 2 if body.rigid else (0, 0)),
+        alike=np.zeros((rigid_rows(body, order).size,) * 2),
         met=met_of(bodies),
         push=np.zeros((body.nodes if body.tools else 0, 4)),
     )

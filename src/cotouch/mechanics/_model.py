@@ -20,7 +20,7 @@ from cotouch.mechanics._materials import cut_law, force_of, outline_of
 from cotouch.mechanics._meeting import Between
 from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, halves, mixed
 from cotouch.mechanics._state import Workspace, workspace
-from cotouch.mechanics._tool_bodies import link_weights
+from cotouch.mechanics._tool_bodies import link_weights, rigid_rows
 from cotouch.mechanics._vector import WIDTHS
 from cotouch.mechanics._world import Obstacle, solids_of
 from cotouch.mechanics._world_points import world_of
@@ -128,8 +128,9 @@ class Model:
         return fresh_memory(behind, self.memory - behind) if behind else fresh_memory(self.memory)
 
     def workspace(self, ports: int) -> Workspace:
-        """Scratch for steps with at most so many ports of one user; all rows of a rigid body are solved for at once."""
-        return workspace(self.operator, self.width, ports, closed=self.force is not None, dense=self.body.rigid)
+        """Scratch for steps with at most so many ports of one user."""
+        among = rigid_rows(self.body, self.order)
+        return workspace(self.operator, self.width, ports, closed=self.force is not None, among=among)
 
     def port_rows(self, node: int) -> Int:
         """Rows that hold a node, in the body's own basis: one, or one for each axis in the full form.
@@ -147,7 +148,7 @@ class Model:
         if self.body.held_shares is not None:
             return np.ascontiguousarray(self.body.held_shares[rows])
         if self.modes is None:
-            return np.zeros((0, self.operator_rows))
+            return (rows[: None if self.body.tools else 0, None] == np.arange(self.operator_rows)).astype(np.float64)
         return np.ascontiguousarray(self.modes[rows])
 
 
@@ -382,11 +383,10 @@ def _truncated(body: Body, truncation: Truncation, copies: int) -> Model:
     identity where all nodes weigh the same, and diagonal in any case.
     """
     shapes = truncation.shapes
-    damping = np.einsum("ij,ij->j", shapes, np.asarray(body.damping @ shapes))
     mean = float(body.mass.sum()) / body.mass.shape[0]
     rows = [
         np.ones(shapes.shape[1]),
-        np.maximum(damping, 0.0),
+        np.maximum(np.einsum("ij,ij->j", shapes, np.asarray(body.damping @ shapes)), 0.0),
         truncation.stiffness,
         np.full(shapes.shape[1], 1.0 / mean),
     ]

@@ -327,7 +327,7 @@ def solve_step(
     op: Operator, ports: Ports, work: Workspace, tolerance: float, least: int, cap: int, lanes: tuple[int, ...]
 ) -> int:
     families = op.entries.shape[0]
-    if work.dense.shape[0] > 0:
+    if families == 0 and work.dense.shape[0] > 0:
         solve_dense(op, ports, work)
         return 0
     if families == 0:
@@ -356,7 +356,7 @@ def solve_step(
     bound = invert(op, work.scale, work.diagonal, work.inverse)
     enough = chebyshev_iterations(op, bound, tolerance)
     if enough > 0:
-        return chebyshev(
+        iterations = chebyshev(
             op,
             values,
             scale,
@@ -368,19 +368,23 @@ def solve_step(
             min(max(enough, least), cap),
             lanes,
         )
-    return conjugate_gradients(
-        op,
-        values,
-        scale,
-        work.diagonal,
-        work.inverse,
-        work.rhs,
-        work.mean,
-        work.residual,
-        work.direction,
-        work.image,
-        tolerance,
-        least,
-        cap,
-        lanes,
-    )
+    else:
+        iterations = conjugate_gradients(
+            op,
+            values,
+            scale,
+            work.diagonal,
+            work.inverse,
+            work.rhs,
+            work.mean,
+            work.residual,
+            work.direction,
+            work.image,
+            tolerance,
+            least,
+            cap,
+            lanes,
+        )
+    if work.dense.shape[0] > 0:
+        solve_dense(op, ports, work)
+    return iterations

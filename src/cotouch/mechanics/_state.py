@@ -100,7 +100,11 @@ class Ports(NamedTuple):
 
 
 class Workspace(NamedTuple):
-    """Scratch arrays of one step; sizes as `workspace` makes them."""
+    """Scratch arrays of one step; sizes as `workspace` makes them.
+
+    Rows of rigid bodies are solved for at once, by `dense`: row i is the `rigid[i]`th of these, negative: none of them;
+    and the rth of them is row `among[r]`.
+    """
 
     diagonal: Float
     inverse: Float
@@ -120,6 +124,8 @@ class Workspace(NamedTuple):
     ahead: Float
     pull: Float
     weighed: Float
+    rigid: Int
+    among: Int
     dense: Float
     factor: Float
     answer: Float
@@ -134,7 +140,19 @@ def _aligned(*shape: int) -> Float:
     return raw[first : first + size].reshape(shape)
 
 
-def workspace(op: Operator, width: int, ports: int, *, closed: bool = False, dense: bool = False) -> Workspace:
+def numbered(among: Int, rows: int) -> Int:
+    """Which of some rows each row is, (rows,); negative: none of them.
+
+    Args:
+        among: these rows.
+        rows: how many there are in all.
+    """
+    result = np.full(rows, -1, dtype=np.int32)
+    result[among] = np.arange(among.size, dtype=np.int32)
+    return result
+
+
+def workspace(op: Operator, width: int, ports: int, *, closed: bool = False, among: Int | None = None) -> Workspace:
     """Scratch arrays for steps with `op` and at most `ports` ports per user.
 
     Args:
@@ -142,10 +160,11 @@ def workspace(op: Operator, width: int, ports: int, *, closed: bool = False, den
         width: of a row.
         ports: at most, of one user.
         closed: whether steps are closed ones.
-        dense: whether all rows are solved for at once.
+        among: rows that are solved for at once; None: there are none.
     """
-    size = 3 * op.mass.size if dense else 0
     rows, families, weights = op.mass.size, op.entries.shape[0], op.weight.shape[0]
+    among = np.zeros(0, dtype=np.int32) if among is None else among
+    size = 3 * among.size
     solver = rows if families else 0
     general = rows if families and np.any(op.mix[WEIGHTS:]) else 0
     return Workspace(
@@ -167,8 +186,10 @@ def workspace(op: Operator, width: int, ports: int, *, closed: bool = False, den
         ahead=_aligned(rows if closed else 0, width),
         pull=_aligned(rows if closed else 0, width),
         weighed=_aligned(9),
+        rigid=numbered(among, rows),
+        among=among,
         dense=_aligned(size, size),
         factor=_aligned(size, size),
         answer=_aligned(size),
-        tried=_aligned(op.mass.size if dense else 0, width),
+        tried=_aligned(rows if size else 0, width),
     )

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
+import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
@@ -17,6 +18,19 @@ from cotouch.mechanics._world import World
 
 if TYPE_CHECKING:
     from cotouch.mechanics._model import Model
+
+
+def rigid_rows(body: Body, order: npt.NDArray[np.int32] | None) -> npt.NDArray[np.int32]:
+    """Rows of the kernels that are solved for at once: of rigid bodies, where there are only such, or tools that are.
+
+    Args:
+        body: of one or several.
+        order: row k of the kernels is node `order[k]`; None: node k.
+    """
+    nodes = np.arange(body.nodes if body.rigid else 0, dtype=np.int32)
+    if body.tools and not body.rigid:
+        nodes = np.concatenate([np.arange(one.first, one.last) for one in body.parts if one.body.rigid])
+    return np.argsort(order)[nodes].astype(np.int32) if order is not None else nodes.astype(np.int32)
 
 
 def copies_of(body: Body) -> Float:

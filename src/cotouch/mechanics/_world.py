@@ -87,7 +87,8 @@ class World(NamedTuple):
         kinetic: (S,).
         grain: energy that the rounding of places alone makes [J].
         hold: scratch: what resists motion of the rows, (rows,) [Ns/m].
-        couple: scratch: the same between rows that are solved for at once, (3 rows, 3 rows), or (0, 0) [Ns/m].
+        rigid: which of the rows that are solved for at once each row is, (rows,); negative: none of them.
+        couple: scratch: what resists motion between these, (3 of them, 3 of them) [Ns/m].
         told: scratch: force on each point by the last look, ((S + 1) * P, 4), or (S * P, 4) of one body [N].
         tried: scratch: velocity of the rows at the last look, (rows, 4) [m/s].
         force: result: mean force of each obstacle on the whole body in the step, solids last, (obstacles, 4) [N].
@@ -119,6 +120,7 @@ class World(NamedTuple):
     kinetic: Float
     grain: float
     hold: Float
+    rigid: Int
     couple: Float
     told: Float
     tried: Float

@@ -223,13 +223,14 @@ def _couple(world: World, p: int, nx: float, ny: float, nz: float, more: float, 
     """Adds what resists motion of a point, `across I + more n nᵀ`, to what couples the rows that carry it."""
     if world.couple.shape[0] > 0:
         for e in range(at(world.pointer, p), at(world.pointer, p + 1)):
-            for other in range(at(world.pointer, p), at(world.pointer, p + 1)):
-                share = at(world.share, e) * at(world.share, other)
+            i = 3 * at(world.rigid, at(world.row, e))
+            for other in range(at(world.pointer, p), at(world.pointer, p + 1) if i >= 0 else 0):
+                j, share = 3 * at(world.rigid, at(world.row, other)), at(world.share, e) * at(world.share, other)
                 for a in range(3):
                     n = nx if a == 0 else ny if a == 1 else nz
                     for b in range(3):
                         m = nx if b == 0 else ny if b == 1 else nz
-                        place = (3 * at(world.row, e) + a, 3 * at(world.row, other) + b)
+                        place = (i + a, j + b)
                         value = more * n * m + (across if a == b else 0.0)
                         put(world.couple, place, at(world.couple, place) + share * value)
 
@@ -241,13 +242,14 @@ def lean_world(world: World | None, copy_scale: float, rate: Float, work: Worksp
         for i in range(world.hold.shape[0]):
             store(world.tried, i, load(rate, i, lanes), lanes)
             hold = copy_scale * at(world.hold, i)
-            if world.couple.shape[0] > 0:
+            r = 3 * at(world.rigid, i)
+            if r >= 0:
                 for a in range(3):
                     resisted = 0.0
                     for q in range(world.couple.shape[0]):
-                        hold = copy_scale * at(world.couple, (3 * i + a, q))
-                        resisted += hold * at(rate, (q // 3, q % 3))
-                        put(work.dense, (3 * i + a, q), at(work.dense, (3 * i + a, q)) + hold)
+                        hold = copy_scale * at(world.couple, (r + a, q))
+                        resisted += hold * at(rate, (at(work.among, q // 3), q % 3))
+                        put(work.dense, (r + a, q), at(work.dense, (r + a, q)) + hold)
                     put(work.rhs, (i, a), at(work.rhs, (i, a)) + resisted)
             elif hold != 0.0:
                 put(work.diagonal, i, at(work.diagonal, i) + hold)

@@ -14,7 +14,8 @@ from cotouch.mechanics._meeting import Between
 from cotouch.mechanics._meeting_skin import meeting_of, part_of_nodes, thickness_of
 from cotouch.mechanics._shape import NUMBERS, packed
 from cotouch.mechanics._shape_solid import Solid
-from cotouch.mechanics._tool_bodies import copies_of
+from cotouch.mechanics._state import numbered
+from cotouch.mechanics._tool_bodies import copies_of, rigid_rows
 from cotouch.mechanics._world import Obstacle, World, solids_of
 
 Int = npt.NDArray[np.int32]
@@ -80,6 +81,7 @@ def world_of(
     carry.sort_indices()
     rest = np.zeros((places.shape[0], 4))
     rest[:, :3] = places - origin
+    among = rigid_rows(body, order)
     shapes = [packed(shape, (float(origin[0]), float(origin[1]), float(origin[2]))) for _, shape in shaped]
     numbers = np.zeros((len(shapes), NUMBERS))
     for s, (_, own) in enumerate(shapes):
@@ -113,7 +115,8 @@ def world_of(
         kinetic=np.array([one.friction if one.kinetic is None else one.kinetic for one, _ in shaped]),
         grain=off * off * firm * float(area[shown > 0.0].sum()),
         hold=np.zeros(body.nodes),
-        couple=np.zeros((3 * body.nodes, 3 * body.nodes) if body.rigid else (0, 0)),
+        rigid=numbered(among, body.nodes),
+        couple=np.zeros((3 * among.size, 3 * among.size)),
         told=np.zeros((count, 4)),
         tried=np.zeros((body.nodes, 4)),
         force=np.zeros((len(obstacles), 4)),

@@ -283,9 +283,10 @@ def _take_law(tables: dict[str, Any], law: str) -> None:
 
 
 def _with_mesh(tables: dict[str, Any]) -> list[dict[str, Any]]:
-    """The tables that name a mesh: of a body, of each of several, of what stands still."""
+    """The tables that name a mesh: of a body, of each of several, of tools, of what stands still."""
     around = list_of((table_of(tables.get("world")) or {}).get("meshes"))
-    given = [tables.get("body"), *(list_of(tables.get("bodies")) or ()), *(around or ())]
+    several = (*(list_of(tables.get("bodies")) or ()), *(list_of(tables.get("tools")) or ()))
+    given = [tables.get("body"), *several, *(around or ())]
     found = [table for one in given if (table := table_of(one)) is not None]
     return [table for table in found if isinstance(table.get("file"), str)]
 
@@ -343,12 +344,6 @@ def _live(scenario: Scenario, source: str) -> None:
     if scenario.contact.texture is not None and scenario.contact.texture.file is not None:
         raise ScenarioError(
             f"{source}: contact.texture.file is given, but members read no pictures of others; give heights"
-        )
-    if scenario.rigid_tools:
-        number = 1 + next(k for k, tool in enumerate(scenario.tools) if tool in scenario.rigid_tools)
-        raise ScenarioError(
-            f"{source}: tools[{number}] is a rigid body, which only the simulator has so far; live, take a ball or a "
-            'stylus (kind "touch")'
         )
     if scenario.steps.random is not None:
         raise ScenarioError(f"{source}: steps.random is given; live peers keep a period or a rate")

@@ -20,6 +20,7 @@ from cotouch.scenario import (
     ports_of,
     tools_of,
     touching_of,
+    with_tools,
 )
 
 
@@ -75,7 +76,8 @@ class Hand(Protocol):
         surface: the skin, with tools.
         tools: the proxies; None without.
         contact: the law by which they touch; None: springs.
-        nodes: index of the node that each of its ports holds; of a body in the full form once for every axis.
+        nodes: index of the node that each of its ports holds; of a body in the full form once for every axis; of
+            tools see `grips_of`.
     """
 
     nodes: list[int]
@@ -134,6 +136,17 @@ def no_ports(model: Model, row: Sequence[int] = ()) -> Ports:
     )
 
 
+def grips_of(body: Body, slot: int) -> list[int]:
+    """Numbers of what holds the tools of a user, behind what hands can hold of the body; see `Hand.nodes`.
+
+    Args:
+        body: with tools.
+        slot: the user's.
+    """
+    owner = [part.tool.owner for part in body.tools if part.tool is not None for _ in part.tool.grips]
+    return [body.holds + grip for grip, user in enumerate(owner) if user == slot]
+
+
 @final
 class NoHand:
     """Takes part without touching anything."""
@@ -177,10 +190,13 @@ class ScriptedHand:
         """
         scenario, body, model, slot = at.scenario, at.body, at.model, at.index
         users = scenario.network.size
-        hands, _ = ports_of(scenario.hands, users, body, model)
-        self._hands = hands
+        hands, ports = ports_of(scenario.hands, users, body, model)
         axes = body.dimension if model.full else 1
         self.nodes = [hand.node - 1 for hand in scenario.hands if hand.user == slot + 1 for _ in range(axes)]
+        if body.tools:
+            hands, _, _ = with_tools(hands, ports, scenario.rigid_tools, model)
+            self.nodes += grips_of(body, slot)
+        self._hands = hands
         self._cursor = hands.path_first[:-1].copy()
         self._lanes = model.lanes
         self.ports = no_ports(model, hands.row.tolist())._replace(

@@ -48,8 +48,9 @@ class LiveLaw:
         name = session.law
         if name == "spring":
             return None
-        mass = float((operator.mass / operator.weight[0]).mean())
-        return cls(law=law_named(name), session=session, mass=mass, rows=operator.mass.size, size=size)
+        known = operator.weight[0] > 0.0  # links do not know of tools
+        mass = float((operator.mass[known] / operator.weight[0, known]).mean())
+        return cls(law=law_named(name), session=session, mass=mass, rows=int(known.sum()), size=size)
 
     def memory(self) -> CopyMemory:
         """For all links of one copy."""

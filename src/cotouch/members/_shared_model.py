@@ -54,6 +54,7 @@ class SharedModel:
         scenario = session.scenario.placed()
         body = scenario.build_body()
         ready = _model(scenario, body, 1)
+        fingerprint = _fingerprint(ready)  # before anything is worked out in its scratch
         axes = 1 if ready.full else body.dimension
         users = scenario.network.size
         scenario.world.refuse_overlap(ready, np.stack([_begins(scenario, body, slot) for slot in range(users)]))
@@ -85,7 +86,7 @@ class SharedModel:
             scalars=0 if law is None else len(law.law.sends_scalars),
             form=None if asked is None else ContentForm(asked.codec, SPRING if law is None else law.law),
         )
-        return cls(scenario, body, layout, law, _fingerprint(ready))
+        return cls(scenario, body, layout, law, fingerprint)
 
     @property
     def uncut(self) -> bool:
@@ -153,7 +154,10 @@ def _model(scenario: Scenario, body: Body, copies: int) -> Model:
 
 def _begins(scenario: Scenario, body: Body, slot: int) -> Float:
     shape, given = (body.nodes, body.dimension), scenario.initial.position
-    return np.zeros(shape) if given is None else np.broadcast_to(np.asarray(given[slot]), shape)
+    begins = np.zeros(shape)
+    if given is not None:
+        begins[: body.shared] = np.asarray(given[slot])
+    return begins
 
 
 def _fingerprint(ready: Model) -> list[float]:

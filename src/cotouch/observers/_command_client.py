@@ -93,6 +93,7 @@ class CommandClient:
             target=pointer.target,
             start=pointer.target,
             edge=pointer.edge,
+            turn=_ZERO,
             radius=pointer.radius,
             stiffness=pointer.stiffness,
         )
@@ -106,6 +107,7 @@ class CommandClient:
         to: Triple | None = None,
         at: Triple | None = None,
         edge: Triple | None = None,
+        turn: Triple | None = None,
     ) -> None:
         """Tells a hand what to do; see `SessionApi.do`.
 
@@ -113,11 +115,12 @@ class CommandClient:
             name: of the member.
             mode: what the hand does.
             node: of the body; -1: as it is.
-            to: where it pulls to, or leads its blade to [m].
+            to: where it pulls to, or leads its blade or tool to [m].
             at: where its blade is put down [m].
             edge: of the blade [m].
+            turn: of the tool [rad].
         """
-        places = {"target": to or _ZERO, "start": at or _ZERO, "edge": edge or _ZERO}
+        places = {"target": to or _ZERO, "start": at or _ZERO, "edge": edge or _ZERO, "turn": turn or _ZERO}
         self._tell(name, mode, pointer=0, node=node, radius=0.0, stiffness=0.0, **places)
 
     def mode(self, name: str) -> HandMode:

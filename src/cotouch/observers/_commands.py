@@ -13,9 +13,9 @@ from cotouch.errors import SessionError
 
 # script: as the session's file says. free: nothing is held. hold: what is held stays where it is now. pull: drawn to a
 # place. wander: drawn about slowly. cut: a blade is led to a place. grab: a pointer draws a node. ball: a pointer
-# pushes with a sphere. blade: a pointer cuts.
-HandMode = Literal["script", "free", "hold", "pull", "wander", "grab", "ball", "blade", "cut"]
-HAND_MODES: tuple[HandMode, ...] = ("script", "free", "hold", "pull", "wander", "grab", "ball", "blade", "cut")
+# pushes with a sphere. blade: a pointer cuts. pose: rigid tools are held, one of them is led to a pose.
+HandMode = Literal["script", "free", "hold", "pull", "wander", "grab", "ball", "blade", "cut", "pose"]
+HAND_MODES: tuple[HandMode, ...] = ("script", "free", "hold", "pull", "wander", "grab", "ball", "blade", "cut", "pose")
 
 # A place farther from rest than this is a mistake [m].
 FARTHEST = 1e4
@@ -29,6 +29,8 @@ _QUOTED = 60
 Slot = Annotated[int, Field(ge=0, le=255, description="the slot of a user, counted from 0")]
 Coordinate = Annotated[float, Field(ge=-FARTHEST, le=FARTHEST)]
 Place = Annotated[tuple[Coordinate, Coordinate, Coordinate], Strict(False)]
+Angle = Annotated[float, Field(ge=-4.0, le=4.0)]
+Turn = Annotated[tuple[Angle, Angle, Angle], Strict(False)]
 Ends = Annotated[tuple[Slot, Slot], Strict(False)]
 Seconds = Annotated[float | None, Field(ge=0.0, le=_LONGEST, description=f"from 0 to {_LONGEST:g} s")]
 _NUMBERS = f"3 numbers, each at most {FARTHEST:g} m"
@@ -48,27 +50,32 @@ class MoveHand(_Parts):
     Attributes:
         slot: whose.
         mode: what.
-        node: that it holds; -1: the one that it holds already.
-        to: where it pulls to, or leads its blade to, (3,) [m]; only with "pull" and "cut".
+        node: that it holds; -1: the one that it holds already. With "pose" which of its rigid tools; -1: the first.
+        to: where it pulls to, or leads its blade or its tool's handle to, (3,) [m]; only with "pull", "cut" and "pose".
         at: where its blade is put down, (3,) [m]; only with "cut".
         edge: of the blade, from its place to the other end, (3,) [m]; only with "cut".
+        turn: of its tool from its start: along the axis of turning, as long as the angle, (3,) [rad]; only with "pose".
     """
 
     what: Literal["hand"] = "hand"
     slot: Slot
     mode: Annotated[
-        Literal["script", "free", "hold", "pull", "wander", "cut"],
-        Field(description="one of script, free, hold, pull, wander, cut"),
+        Literal["script", "free", "hold", "pull", "wander", "cut", "pose"],
+        Field(description="one of script, free, hold, pull, wander, cut, pose"),
     ]
     node: Annotated[int, Field(ge=-1, lt=1 << 31, description="a node, counted from 0, or -1 for what is held")] = -1
     to: Annotated[Place | None, Field(description=_NUMBERS)] = None
     at: Annotated[Place | None, Field(description=_NUMBERS)] = None
     edge: Annotated[Place | None, Field(description=_NUMBERS)] = None
+    turn: Annotated[Turn | None, Field(description="3 numbers, each at most 4 rad")] = None
 
     @model_validator(mode="after")
     def _has_what_it_needs(self) -> Self:
         if self.mode == "pull" and self.to is None:
             raise ValueError("to is missing; pull needs 3 numbers")
+        if self.mode == "pose" and (self.to is None or self.turn is None):
+            name = "to" if self.to is None else "turn"
+            raise ValueError(f"{name} is missing; pose needs to and turn, 3 numbers each")
         for name in ("at", "edge", "to") if self.mode == "cut" else ():
             if getattr(self, name) is None:
                 raise ValueError(f"{name} is missing; cut needs at, edge and to, 3 numbers each")

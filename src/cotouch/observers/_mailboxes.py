@@ -111,6 +111,7 @@ def order_fields(users: int) -> Fields:
         "target": ((3,), "f8"),
         "start": ((3,), "f8"),
         "edge": ((3,), "f8"),
+        "turn": ((3,), "f8"),
         "radius": ((), "f8"),
         "stiffness": ((), "f8"),
         "laws": ((users, users, len(LAWS)), "f8"),  # to, from
@@ -136,6 +137,7 @@ class HandCommand(NamedTuple):
         stiffness: 0: as it was [N/m].
         start: where a blade is put down [m].
         edge: of the blade, from its place to the other end; 0: as it was [m].
+        turn: of a rigid tool from its start [rad].
     """
 
     number: int
@@ -147,6 +149,7 @@ class HandCommand(NamedTuple):
     stiffness: float
     start: tuple[float, float, float] = (0.0, 0.0, 0.0)
     edge: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    turn: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 def hand_command_of(orders: dict[str, npt.NDArray[np.generic]]) -> HandCommand:
@@ -162,6 +165,7 @@ def hand_command_of(orders: dict[str, npt.NDArray[np.generic]]) -> HandCommand:
         stiffness=_positive(orders["stiffness"].item()),
         start=_three(orders["start"]),
         edge=_three(orders["edge"]),
+        turn=_three(orders["turn"]),
     )
 
 

@@ -199,13 +199,14 @@ def _of_material(model: "Model", body: Body, weights: Sequence[Matrix]) -> Recor
         sp.csr_array(sp.diags_array(diagonal[back]))
         for diagonal in (model.operator.mass, model.operator.drag, model.operator.ground)
     )
-    rows = body.nodes
+    rows, known = body.nodes, sp.csr_array(sp.diags_array(model.operator.weight[0][back]))
+    tied = sp.diags_array((known.diagonal() > 0.0).astype(np.float64))  # links do not know of tools
     return RecordedBody(
         rest=body.rest,
         mass=mass,
         damping=drag,
         stiffness=ground,
-        weights=(sp.eye_array(rows, format="csr"), *(_fit(weight, rows, rows) for weight in weights)),
+        weights=(known, *(sp.csr_array(tied @ _fit(weight, rows, rows) @ tied) for weight in weights)),
         modes=None,
         order=model.order,
         material=RecordedMaterial.of(model),

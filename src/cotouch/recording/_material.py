@@ -9,7 +9,7 @@ import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
-from cotouch.body import Body, Material, Skin, SumOfSquares
+from cotouch.body import Body, Material, Skin, SumOfSquares, grip_shares
 from cotouch.errors import BodyError
 from cotouch.recording._outside import Outside
 from cotouch.recording._parts import parts_arrays, parts_of_arrays
@@ -209,6 +209,7 @@ class RecordedMaterial:
         follows: Bool,
         index: Float,
         when: Float,
+        user: int,
     ) -> Outside:
         """What planes, boxes and other bodies held before and after each step, and what was lost at them.
 
@@ -225,14 +226,15 @@ class RecordedMaterial:
             follows: whether it begins where the one before ended, (steps,).
             index: number of each step, (steps,).
             when: after which step each element was cut, (elements,).
+            user: whose copy it is, from 0: only his tools are in it.
         """
-        from cotouch.mechanics import begin_world, cutting_of, follow_world, mark_cuts
+        from cotouch.mechanics import begin_world, cutting_of, follow_world, mark_cuts, unsettled
 
         made = self._made()
         world = None if made.force is None else made.force.world
         if world is None:
             return told
-        memory, found, known, held = made.unturned(), Outside(*map(np.array, told)), False, np.nan
+        memory, found, known, held = unsettled(made, user), Outside(*map(np.array, told)), False, np.nan
         slick = not np.any(world.friction) and (world.bodies is None or not np.any(world.bodies.friction))
         cutting = cutting_of(made)
         for step in range(T.size):
@@ -278,6 +280,17 @@ class RecordedMaterial:
             self._model = model(self.body, obstacles=self.obstacles(), between=self.between)
         return self._model
 
+    def held(self, rate: Float) -> Float:
+        """Velocities of what ports hold: nodes, of a rigid body any points, and behind these what holds tools.
+
+        Args:
+            rate: of the nodes, (steps, n, d) [m/s].
+        """
+        body = self.body
+        grips = grip_shares(body.parts, body.nodes)
+        own = rate[:, : body.shared] if body.held_shares is None else np.einsum("hn,sna->sha", body.held_shares, rate)
+        return np.concatenate([own, np.einsum("gn,sna->sga", grips, rate)], axis=1) if grips.size else own
+
     def weight(self, place: Float, mass: Float) -> Float:
         """Potential energy in the field of gravity, zero at rest [J].
 
@@ -285,7 +298,8 @@ class RecordedMaterial:
             place: displacements of the nodes, (steps, n, d) [m].
             mass: of the nodes, (n,) [kg].
         """
-        return -np.einsum("snd,n,d->s", place, mass, np.asarray(self.material.gravity[: place.shape[2]]))
+        n = self.body.shared  # tools have none
+        return -np.einsum("snd,n,d->s", place[:, :n], mass[:n], np.asarray(self.material.gravity[: place.shape[2]]))
 
 
 _FIELDS = fields(Material)

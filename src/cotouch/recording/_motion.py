@@ -208,13 +208,11 @@ class _Steps:
         before = self.copy_scale * body.form(body.mass, speed) + self.stiff * body.form(body.stiffness, start)
         # The stretch of a body that has travelled is a small difference of large places; so is its mean velocity.
         places = np.abs(self.x).max(axis=(1, 2), initial=0.0)
-        stiff = float(abs(body.stiffness).sum())
-        heavy = float(abs(body.mass).sum())
+        stiff, heavy = float(abs(body.stiffness).sum()), float(abs(body.mass).sum())
         fast = np.abs(self.v).max(axis=(1, 2), initial=0.0)
         size = stiff * places**2 + heavy * places * fast / self.T
         if self.inner is not None and body.material is not None:
-            held, came, _, _ = self.inner
-            mass = body.mass.diagonal()
+            (held, came, _, _), mass = self.inner, body.mass.diagonal()
             came, held = came + body.material.weight(self.x, mass), held + body.material.weight(start, mass)
             if self.outside is not None:
                 came, held = came + self.outside.after, held + self.outside.before
@@ -222,11 +220,10 @@ class _Steps:
             before += 2.0 * self.stiff * held
             self.potential = came + 0.5 * body.form(body.stiffness, self.x)
             # A place is as large as the body; what its rounding does grows with the force.
-            inner = float(abs(body.material.body.stiffness).sum())
-            strained = np.maximum(*self.inner[:2])
+            strained = np.maximum(*self.inner[:2]) * float(abs(body.material.body.stiffness).sum())
             far = places + np.abs(body.rest).max()
-            size = size + np.sqrt(2.0 * strained * inner) * far
-            size = size + float(np.linalg.norm(body.material.material.gravity)) * float(mass.sum()) * far
+            weight = float(np.linalg.norm(body.material.material.gravity)) * float(mass.sum())
+            size = size + (np.sqrt(2.0 * strained) + weight) * far
             if self.outside is not None:
                 firm = body.material.firmness()
                 size = size + np.sqrt(2.0 * np.nan_to_num(np.maximum(*self.outside[:2])) * firm) * far
@@ -254,9 +251,7 @@ class _Steps:
         if ports is None:
             return booked
         rate, material = self.mean.reshape(self.T.size, *self.body.rest.shape), self.body.material
-        shares = None if material is None else material.body.held_shares
-        if shares is not None:  # of a rigid body any point may be held
-            rate = np.einsum("hn,sna->sha", shares, rate)
+        rate = rate if material is None else material.held(rate)
         if len(ports) != force.shape[1] or any(not 0 <= node < rate.shape[1] for node in ports):
             raise RecordingError(
                 f"{self.recording.path} says that its ports hold the nodes {list(ports)}; its steps have "

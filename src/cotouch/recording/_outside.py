@@ -53,7 +53,7 @@ def outside_of(recording: "Recording", scale: Float) -> Outside | None:
         scale: of `scale_of`.
     """
     material, columns, states = recording.header.body.material, recording.columns, recording.states
-    if material is None or not material.world:
+    if material is None or not (material.world or material.between):
         return None
     rows = states["state_row"]
     x, middle = (recording.header.body.field(states[name]) for name in ("x", "middle"))
@@ -65,7 +65,7 @@ def outside_of(recording: "Recording", scale: Float) -> Outside | None:
     gone = np.where(np.isin(index, when), np.nan, 0.0)
     told = Outside(before[rows], held[rows], (columns["world_loss"] / scale)[rows], gone)
     given = (2.0 * middle - x, x, columns["T"][rows], told)
-    return material.outside(*given, fresh=fresh, follows=follows, index=index, when=when)
+    return material.outside(*given, fresh=fresh, follows=follows, index=index, when=when, user=recording.user)
 
 
 def cut_steps(recording: "Recording") -> Float:

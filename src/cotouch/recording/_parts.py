@@ -6,12 +6,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from cotouch.arrays import Float
-from cotouch.body import Body, Part, joined
+from cotouch.body import Body, Part, ToolBody, joined
 
 if TYPE_CHECKING:  # reading a recording needs no kernels
     from cotouch.mechanics import Between
 
 _TURN, _SHIFT, _REST, _BETWEEN = "part_turn", "part_shift", "rest", "between"
+# Of tools: whose each is, from 1, in how many copies it is one, and where it is held; all 0 of what is shared.
+_TOOL, _GRIPS = "part_tool", "grips"
 # A recording has no more bodies, and a rotation is off by no more.
 _MOST, _ROUNDING = 1000, 1e-9
 
@@ -31,7 +33,12 @@ def parts_arrays(body: Body, between: "Between | None", own: Callable[[Body], di
     if between is not None:
         kinetic = between.friction if between.kinetic is None else between.kinetic
         found[_BETWEEN] = np.array([between.stiffness, between.loss, between.friction, kinetic, between.own])
+    if body.tools:
+        owners = [(0, 0) if part.tool is None else (part.tool.owner + 1, part.tool.copies) for part in body.parts]
+        found[_TOOL] = np.array(owners)
     for number, part in enumerate(body.parts):
+        if part.tool is not None:
+            found[f"part{number}_{_GRIPS}"] = np.array(part.tool.grips).reshape(-1, 3)
         one = part.body if part.body.material is not None else part.body.with_gravity((0.0, 0.0, 0.0))
         found |= {f"part{number}_{name}": values for name, values in own(one).items()}
         found[f"part{number}_{_REST}"] = part.body.rest
@@ -61,13 +68,24 @@ def parts_of_arrays(
         raise ValueError("a part is turned by what is no rotation")
     parts: list[Part] = []
     first = 0
+    owners = np.asarray(arrays.get(_TOOL, np.zeros((count, 2), dtype=int)), dtype=np.int64)
+    if owners.shape != (count, 2) or owners.min() < 0 or np.any((owners[:, 0] == 0) != (owners[:, 1] == 0)):
+        raise ValueError(f"who has which tool is told by an array of {owners.shape}")
+    if np.any(np.diff(owners[:, 0] > 0, append=True) < 0):
+        raise ValueError("a tool comes before what is shared")
     for number, (turn, shift) in enumerate(zip(turns, shifts, strict=True)):
         prefix = f"part{number}_"
         own = {name.removeprefix(prefix): values for name, values in arrays.items() if name.startswith(prefix)}
+        grips = np.asarray(own.pop(_GRIPS, np.zeros((0, 3))), dtype=np.float64).reshape(-1, 3)
         body = one(own, np.asarray(own.pop(_REST), dtype=np.float64))
         if body.dimension != 3 or body.skin is None or body.parts:
             raise ValueError(f"part {number + 1} is no solid with a skin")
-        parts.append(Part(name=str(number + 1), body=body, first=first, turn=turn, shift=shift))
+        if not np.isfinite(grips).all():
+            raise ValueError(f"part {number + 1} is held where no place is")
+        owner, copies = owners[number].tolist()
+        held = tuple(map(tuple, grips.tolist()))
+        tool = ToolBody(owner=owner - 1, copies=copies, grips=held) if owner else None
+        parts.append(Part(name=str(number + 1), body=body, first=first, turn=turn, shift=shift, tool=tool))
         first += body.nodes
     if _BETWEEN not in arrays:
         return joined(parts), None

@@ -8,7 +8,7 @@ from cotouch.scenario._law_choice import makes_tree, options_of_springs, with_la
 from cotouch.scenario._messages import sentence
 from cotouch.scenario._penetration import resolve_penetration
 from cotouch.scenario._per_user import per_user
-from cotouch.scenario._rigid_tools import RigidTool, with_tools
+from cotouch.scenario._rigid_tools import RigidTool, rows_of, with_tools
 from cotouch.scenario._scenario import Scenario
 from cotouch.scenario._surface_tables import TextureTable
 from cotouch.scenario._tables import (
@@ -70,6 +70,7 @@ __all__ = [
     "ports_of",
     "proxy_energy",
     "resolve_penetration",
+    "rows_of",
     "sentence",
     "tool_record",
     "tools_of",

@@ -15,6 +15,7 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.body import SIGNS, Body, Part, Placed, ToolBody, scaled, shares_of, turning
 from cotouch.errors import ScenarioError
+from cotouch.mechanics import Model
 from cotouch.scenario._hands import Hands
 from cotouch.scenario._rigid_tool_table import PoseHand, RigidToolTable
 
@@ -23,6 +24,8 @@ Int = npt.NDArray[np.int32]
 # 4e-5; and a path has at most so many pieces.
 # A light tool with a lever would yield as a spring does: its strains swing so many times as fast as of other bodies.
 _FIRM = 4.0
+# They are solved for at once, together with others that are rigid.
+_MOST_RIGID = 12
 _STRAIGHT, _MOST = np.radians(1.0), 100_000
 
 
@@ -37,6 +40,7 @@ class RigidTool:
         handle: where the hand holds it at rest, (3,) [m].
         ports: that hold it, (4,), or (0,) where nothing does.
         shares: how much of each of its masses a port's point follows, (ports, 4).
+        hand: what moves it; None: nothing does.
     """
 
     user: int
@@ -44,6 +48,7 @@ class RigidTool:
     handle: Float
     ports: Int
     shares: Float
+    hand: PoseHand | None
 
     @property
     def mass(self) -> float:
@@ -68,13 +73,16 @@ def placed_tools(tables: Sequence[RigidToolTable], numbers: Sequence[int], users
     for number, table in zip(numbers, tables, strict=True):
         if table.user > users:
             raise ScenarioError(f"tools[{number}].user is {table.user}; the network has users 1 to {users}")
+        handle = np.asarray(table.at) + np.asarray(table.handle)
+        points = np.zeros((0, 3)) if table.hand is None else _points(table.hand, handle)
+        grips = tuple((float(x), float(y), float(z)) for x, y, z in points)
         result.append(
             Placed(
                 body=scaled(table.build(), mass=users, rate=_FIRM),
                 name=f"tools[{number}]",
                 at=(table.at[0], table.at[1], table.at[2]),
                 turn=(table.turn[0], table.turn[1], table.turn[2]),
-                tool=ToolBody(owner=table.user - 1, copies=users),
+                tool=ToolBody(owner=table.user - 1, copies=users, grips=grips),
             )
         )
     return result
@@ -95,20 +103,13 @@ def refuse_unfit(body: Body, name: str, *, balls: bool) -> None:
         raise ScenarioError(
             f"{name} is a rigid body, but others of [[tools]] are balls, grasps or blades; take one sort only"
         )
-    if not body.rigid:
-        soft = next((part.name for part in body.parts if not part.body.rigid), None)
-        if soft is None:
-            raise ScenarioError(
-                f"{name} is one of {len(body.parts)} bodies; with rigid tools there are at most 12 in all"
-            )
-        raise ScenarioError(
-            f'{name} is a rigid body, which meets only rigid ones, but "{soft}" yields; make it rigid, or let a '
-            'ball or stylus (kind "touch") meet it'
-        )
+    rigid = sum(part.body.rigid for part in body.parts)
+    if rigid > _MOST_RIGID:
+        raise ScenarioError(f"{name} is one of {rigid} rigid bodies; with rigid tools there are at most {_MOST_RIGID}")
 
 
 def with_tools(
-    hands: Hands, ports: Int, tables: Sequence[RigidToolTable], body: Body
+    hands: Hands, ports: Int, tables: Sequence[RigidToolTable], ready: Model, user: int | None = None
 ) -> tuple[Hands, Int, list[RigidTool]]:
     """Ports that hold tools beside those of hands, ordered by user; ports of each hand; and the tools.
 
@@ -116,12 +117,13 @@ def with_tools(
         hands: without those of tools.
         ports: of each hand, (hands, ports per hand).
         tables: of the tools.
-        body: with the tools as its last parts.
+        ready: the body with the tools as its last parts, for the kernels.
+        user: whose tools only, from 0; None: those of all.
 
     Raises:
         ScenarioError: a path turns too far.
     """
-    users, old = hands.first.size - 1, hands.row.size
+    users, old, body = hands.first.size - 1, hands.row.size, ready.body
     owner = np.repeat(np.arange(users), np.diff(hands.first)).tolist()
     numbers = np.stack([hands.stiffness, hands.damping, hands.begin, hands.release, hands.frequency, hands.phase])
     shapes, forced, amplitude = [hands.shape], [hands.forced], [hands.amplitude]
@@ -130,15 +132,18 @@ def with_tools(
     paths: list[tuple[Float, Float]] = [(hands.path_time[a:b], hands.path_value[a:b]) for a, b in held_paths]
     handles: list[Float] = []
     held: list[Float] = []
-    for table, part in zip(tables, body.tools, strict=True):
+    both = list(zip(tables, body.tools, strict=True))
+    both = [(table, part) for table, part in both if user is None or table.user == user + 1]
+    for table, part in both:
         handles.append(np.asarray(table.at) + np.asarray(table.handle))
         held.append(np.zeros((0, 4)))
         if table.hand is None:
             continue
-        points, own = _points(table.hand, handles[-1]), table.hand
+        assert part.tool is not None
+        points, own = np.array(part.tool.grips), table.hand
         shape = np.zeros((4, body.nodes))
         held[-1] = shares_of(part.rest(), points)
-        shape[:, part.first : part.last] = held[-1]
+        shape[:, rows_of(part, ready)] = held[-1]
         release = np.inf if own.release is None else own.release
         column = [own.stiffness / 4.0, own.damping / 4.0, own.begin, release, 0.0, 0.0]
         shapes.append(shape)
@@ -170,11 +175,23 @@ def with_tools(
         phase=phase,
     )
     found: list[RigidTool] = []
-    for table, part, handle, shares in zip(tables, body.tools, handles, held, strict=True):
+    for (table, part), handle, shares in zip(both, handles, held, strict=True):
         own = place[old : old + shares.shape[0]]
         old += own.size
-        found.append(RigidTool(user=table.user - 1, part=part, handle=handle, ports=own, shares=shares))
+        whose = table.user - 1
+        found.append(RigidTool(user=whose, part=part, handle=handle, ports=own, shares=shares, hand=table.hand))
     return made, place[ports], found
+
+
+def rows_of(part: Part, ready: Model) -> Int:
+    """Rows of the kernels of one of several bodies.
+
+    Args:
+        part: the body.
+        ready: all of them.
+    """
+    nodes = np.arange(part.first, part.last)
+    return (nodes if ready.order is None else np.argsort(ready.order)[nodes]).astype(np.int32)
 
 
 def _points(hand: PoseHand, handle: Float) -> Float:

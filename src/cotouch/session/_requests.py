@@ -16,6 +16,7 @@ WORDS: dict[HandMode, str] = {
     "pull": "pulls there",
     "wander": "wanders",
     "cut": "cuts there",
+    "pose": "leads its tool there",
 }
 
 
@@ -46,9 +47,19 @@ def check_hand(command: MoveHand, body: Body, *, cuts: bool) -> None:
     Raises:
         SessionError: there is not.
     """
+    if command.mode == "pose":
+        tools = [part.tool for part in body.tools if part.tool is not None]
+        led = sum(tool.owner == command.slot and bool(tool.grips) for tool in tools)
+        if not led:
+            raise SessionError("this user has no rigid tool with a hand; the session's file says who has one")
+        if command.node >= led:
+            raise SessionError(f"node is {command.node}; with pose it must be from 0 to {led - 1}, or -1 for the first")
+        return
     if command.node >= body.holds:
         raise SessionError(f"node is {command.node}; it must be from 0 to {body.holds - 1}, or -1 for what is held")
     if command.mode == "cut":
+        if body.tools:
+            raise SessionError("there is no blade beside rigid tools; lead a tool by pose")
         _check_cuttable(body, cuts)
 
 
@@ -72,6 +83,8 @@ def checked(pointer: Pointer, body: Body, *, cuts: bool) -> Pointer:
     """
     if pointer.mode not in {"grab", "ball", "blade", "free"}:
         raise SessionError(f'the pointer\'s mode is "{pointer.mode}"; it must be grab, ball, blade or free')
+    if pointer.mode in {"ball", "blade"} and body.tools:
+        raise SessionError(f"there is no {pointer.mode} beside rigid tools; grab the body, or lead a tool by pose")
     if pointer.mode == "blade":
         _check_cuttable(body, cuts)
     if pointer.mode == "grab" and not 0 <= pointer.node < body.holds:

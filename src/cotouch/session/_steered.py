@@ -131,7 +131,7 @@ class SteeredMembers(ABC):
             case MoveHand():
                 name = self._name_of(command.slot)
                 _requests.check_hand(command, self._body, cuts=self._may_cut(command.slot))
-                where = {"to": command.to, "at": command.at, "edge": command.edge}
+                where = {"to": command.to, "at": command.at, "edge": command.edge, "turn": command.turn}
                 self._commands.hand(name, command.mode, node=command.node, **where)
                 return f"{name} {_requests.WORDS[command.mode]}"
             case SetRecording():

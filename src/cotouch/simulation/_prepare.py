@@ -121,7 +121,7 @@ def prepare(scenario: Scenario) -> Prepared:
     hands, ports = ports_of(scenario.hands, network.size, body, ready)
     rigid_tools: list[RigidTool] = []
     if scenario.rigid_tools:
-        hands, ports, rigid_tools = with_tools(hands, ports, scenario.rigid_tools, body)
+        hands, ports, rigid_tools = with_tools(hands, ports, scenario.rigid_tools, ready)
     position = _initial(scenario.initial.position, "position", network.size, body)
     scenario.world.refuse_overlap(ready, position)
     scenario.refuse_cutters()
@@ -267,7 +267,7 @@ def _recorded(scenario: Scenario, body: Body) -> Int:
         return np.arange(body.shared, dtype=np.int32)
     if asked is None:
         if body.nodes <= _ALL_NODES and not body.rigid:
-            return np.arange(body.nodes, dtype=np.int32)
+            return np.arange(body.shared, dtype=np.int32)
         held = {hand.node for hand in scenario.hands}
         for tool in scenario.proxies:
             held.add(1 + int(np.argmin(np.linalg.norm(body.rest - np.array(tool.at), axis=1))))

@@ -6,8 +6,8 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.body import SIGNS, frame_of, shares_of
-from cotouch.scenario import RigidTool
+from cotouch.body import SIGNS, axial, frame_of, shares_of, turn_vectors
+from cotouch.scenario import RigidTool, rows_of
 from cotouch.simulation._layout import Record
 from cotouch.simulation._prepare import Prepared
 
@@ -42,9 +42,9 @@ def with_masses(prepared: Prepared, shape: Float, rows: npt.NDArray[np.int32]) -
     """
     if not prepared.rigid_tools:
         return shape, rows
-    masses = np.concatenate([np.arange(tool.part.first, tool.part.last) for tool in prepared.rigid_tools])
+    masses = np.concatenate([rows_of(tool.part, prepared.model) for tool in prepared.rigid_tools])
     own = np.eye(shape.shape[1])[masses]
-    return np.ascontiguousarray(np.concatenate([shape, own])), np.concatenate([rows, masses.astype(np.int32)])
+    return np.ascontiguousarray(np.concatenate([shape, own])), np.concatenate([rows, masses])
 
 
 def rigid_tool_variables(prepared: Prepared, record: Record, period: Float) -> dict[str, tuple[tuple[str, ...], Float]]:
@@ -80,7 +80,7 @@ def _told(tool: RigidTool, record: Record, period: Float, first: int) -> dict[st
     rotation = left @ right
     # Of a rotation that goes on, Ṙ Rᵀ is skew: the spin.
     skew = turning @ np.swapaxes(rotation, -1, -2)
-    spin = 0.5 * _axial(skew)
+    spin = 0.5 * axial(skew)
     # Forces are means over a step: they act where points are in its middle.
     middle = place if record.every > 1 else np.concatenate([place[:1], 0.5 * (place[1:] + place[:-1])])
     centre = np.einsum("k,rka->ra", share, middle)
@@ -97,7 +97,7 @@ def _told(tool: RigidTool, record: Record, period: Float, first: int) -> dict[st
         met_torque = np.cross(middle - centre[:, None], pushed).sum(axis=1) - torque
     return {
         "rigid_position": handle,
-        "rigid_rotation": _vectors(turn),
+        "rigid_rotation": turn_vectors(turn),
         "rigid_velocity": speed,
         "rigid_spin": spin,
         "rigid_force": force,
@@ -105,31 +105,3 @@ def _told(tool: RigidTool, record: Record, period: Float, first: int) -> dict[st
         "rigid_contact_force": met,
         "rigid_contact_torque": met_torque,
     }
-
-
-def _vectors(turn: Float) -> Float:
-    """Rotation vectors of the rotations that are nearest to matrices; NaN of what was not reached [Horn 1987].
-
-    Args:
-        turn: (records, 3, 3).
-    """
-    result = np.full((turn.shape[0], 3), np.nan)
-    sound = np.isfinite(turn).all(axis=(1, 2))
-    a = turn[sound]
-    both = a + np.swapaxes(a, 1, 2)
-    form = np.empty((a.shape[0], 4, 4))
-    form[:, 0, 0] = trace = np.trace(a, axis1=1, axis2=2)
-    form[:, 0, 1:] = form[:, 1:, 0] = _axial(a)
-    form[:, 1:, 1:] = both - trace[:, None, None] * np.eye(3)
-    quaternion = np.linalg.eigh(form)[1][:, :, -1]
-    quaternion *= np.where(quaternion[:, :1] < 0.0, -1.0, 1.0)
-    sine = np.linalg.norm(quaternion[:, 1:], axis=1)
-    angle = 2.0 * np.arctan2(sine, quaternion[:, 0])
-    scale = np.divide(angle, sine, out=np.full_like(sine, 2.0), where=sine > 0.0)
-    result[sound] = scale[:, None] * quaternion[:, 1:]
-    return result
-
-
-def _axial(matrix: Float) -> Float:
-    """Twice the axial vector of matrices' skew parts, (records, 3)."""
-    return np.stack([matrix[:, c, b] - matrix[:, b, c] for b, c in ((1, 2), (2, 0), (0, 1))], axis=1)

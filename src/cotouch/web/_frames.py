@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.body import Body, drawn_skin
+from cotouch.body import Body, cut_skin, drawn_skin, drawn_tools
 from cotouch.observers import CopyView
 from cotouch.web._protocol import COPY, DIRECT, HAS_HAND, HEADER, VERSION, mode_index
 
@@ -42,6 +42,8 @@ class FrameEncoder:
         self._dimension, self._nodes = body.dimension, body.nodes
         self._table: sp.csr_array | None = None
         self.points = body.nodes
+        self._tools: list[tuple[int, int, int]] = []
+        self._ways: list[npt.NDArray[np.float64]] = []
         self._reach = 1.0  # a point moves at most so many times as far as the node that moves farthest
         skin = drawn_skin(body)
         if skin is not None:
@@ -50,6 +52,9 @@ class FrameEncoder:
             self._table = table
             self.points = skin.vertices.shape[0]
             self._reach = float(np.abs(skin.weights).sum(axis=1).max(initial=1.0)) + 1e-3
+            self._tools = drawn_tools(body, cut_skin(body) if body.cut_count else None) if body.tools else []
+            # What brings all points of a tool to its first: without extent, it is not seen.
+            self._ways = [(skin.vertices[first] - skin.vertices[first:last]) for first, last, _ in self._tools]
         self.scale = _FINEST
         self.passes = 0
         self._known: dict[int, tuple[CopyView, bytes]] = {}
@@ -68,9 +73,11 @@ class FrameEncoder:
         if not fresh:
             return
         fields = [views[slot].displacement for slot in fresh]
-        if self._rescaled(max(_size(views[slot].displacement) for slot in slots)):
+        largest = max(_size(views[slot].displacement) for slot in slots)
+        largest = max(largest, *(float(np.abs(ways).max()) for ways in self._ways), 0.0)
+        if self._rescaled(largest):
             fresh, fields = slots, [views[slot].displacement for slot in slots]
-        for slot, block in zip(fresh, self._drawn(fields), strict=True):
+        for slot, block in zip(fresh, self._drawn(fields, fresh), strict=True):
             self._known[slot] = (views[slot], block)
 
     def frame(
@@ -104,8 +111,8 @@ class FrameEncoder:
         self.scale = 2.0 ** math.ceil(math.log2(min(max(wanted, _FINEST), _LARGEST)))
         return True
 
-    def _drawn(self, fields: list[Single]) -> list[bytes]:
-        """Displacements of the drawn points as whole numbers, a block for each copy."""
+    def _drawn(self, fields: list[Single], slots: list[int]) -> list[bytes]:
+        """Displacements of the drawn points as whole numbers, a block for each copy; tools of others are not seen."""
         self.passes += 1
         count = len(fields)
         moved = np.zeros((self._nodes, 3 * count), np.float32)
@@ -115,6 +122,10 @@ class FrameEncoder:
         if not np.isfinite(moved).all():
             np.nan_to_num(moved, copy=False)
         drawn = moved if self._table is None else np.asarray(self._table @ moved)
+        for (first, last, owner), ways in zip(self._tools, self._ways, strict=True):
+            for k, slot in enumerate(slots):
+                if slot != owner:
+                    drawn[first:last, 3 * k : 3 * k + 3] = ways / self.scale
         np.rint(drawn, drawn)
         np.clip(drawn, -_MOST, _MOST, drawn)
         whole = drawn.astype("<i2")

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.body import Body, CutSkin, cut_skin, drawn_parts, drawn_skin
+from cotouch.body import Body, CutSkin, cut_skin, drawn_parts, drawn_skin, drawn_tools
 from cotouch.device import NOTICED_DRAG
 from cotouch.mechanics import shape_table
 from cotouch.members import Status, felt
@@ -69,14 +69,22 @@ def scene_message(scene: Scene, *, version: str, started: str, acts: bool, page:
 
 
 def nodes_of_points(body: Body) -> npt.NDArray[np.integer[Any]]:
-    """The node that carries most of each drawn point, (points,)."""
+    """The node that carries most of each drawn point, (points,); of tools none that there is."""
     if body.rigid and body.skin is not None:
-        return np.arange(body.nodes, body.nodes + int(body.skin.vertices.shape[0]))
+        every = np.arange(body.shared, body.shared + int(body.skin.vertices.shape[0]))
+        return _no_tools(body, every)
     skin = drawn_skin(body)
     if skin is None:
         return np.arange(body.nodes)
     best = np.argmax(skin.weights, axis=1)
-    return np.take_along_axis(skin.nodes, best[:, None], axis=1)[:, 0]
+    return _no_tools(body, np.take_along_axis(skin.nodes, best[:, None], axis=1)[:, 0])
+
+
+def _no_tools(body: Body, nodes: npt.NDArray[np.integer]) -> npt.NDArray[np.integer]:
+    """The same, and `Body.holds` for points of tools, which nobody can hold there."""
+    for first, last, _ in drawn_tools(body, cut_skin(body) if body.cut_count else None) if body.tools else ():
+        nodes[first:last] = body.holds
+    return nodes
 
 
 def beside_nodes(body: Body) -> Float:
@@ -84,8 +92,8 @@ def beside_nodes(body: Body) -> Float:
     skin = drawn_skin(body)
     if skin is None:
         return np.zeros((body.nodes, 3))
-    rest = np.zeros((body.holds, 3))
-    rest[:, : body.dimension] = body.held_rest
+    rest = np.zeros((body.holds + 1, 3))
+    rest[: body.holds, : body.dimension] = body.held_rest
     return np.asarray(skin.vertices) - rest[nodes_of_points(body)]
 
 

@@ -1,4 +1,4 @@
-/*! cotouch animation; sources a993b2fedfd2a5fe96fb28b63bda460dcee6bc63016c0d3c5b00a1495480209b; with three.js:
+/*! cotouch animation; sources ef76cfa1ab9f47fbd67b5975aad6c6fa18b2d1982ff7b3b4a93283cb7b29ae4a; with three.js:
 The MIT License
 
 Copyright © 2010-2026 three.js authors

@@ -1,0 +1,208 @@
+"""Tools that are rigid bodies, live: by the file and by command, beside what is rigid and what yields, and an audit."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tests.session.world import World
+
+from cotouch.errors import SessionError
+from cotouch.members import SessionFile
+from cotouch.observers import MailboxFolder, MoveHand, Pointer
+from cotouch.recording import audit, read_recording
+from cotouch.session._requests import check_hand, checked
+
+TOOL = """
+[[tools]]
+user = 1
+kind = "box"
+resolution = 1
+size = {size}
+mass = 0.05
+at = {at}
+[tools.hand]
+path = {path}
+stiffness = 300
+damping = 6
+turning_stiffness = 2
+"""
+PUSH = "[[0, 0, 0, 0, 0, 0, 0], [0.2, 0, 0, 0, 0, 0, 0], [0.8, 0, 0.03, 0, 0, 0, 0.5], [9, 0, 0.03, 0, 0, 0, 0.5]]"
+RIGID = f"""
+[session]
+users = 3
+spring = 30.0
+wait_for_peers = 1.0
+[body]
+kind = "box"
+size = [0.08, 0.05, 0.03]
+resolution = 1
+mass = 0.2
+centre = [0, 0, 0.015]
+[between]
+damping = 20.0
+[world]
+gravity = [0, 0, -9.81]
+[[world.planes]]
+friction = 0.2
+damping = 20.0
+[steps]
+rate = 500
+[synchronisation]
+law = "spring"
+[[hands]]
+user = 2
+at = [0.04, 0, 0.015]
+stiffness = 20
+damping = 1
+path = [[0, 0, 0, 0], [9, 0, 0, 0]]
+{TOOL.format(size="[0.1, 0.02, 0.02]", at="[0.03, -0.0365, 0.015]", path=PUSH)}"""
+SOFT = f"""
+[session]
+users = 2
+spring = 30.0
+[body]
+kind = "lattice"
+shape = [4, 4, 3]
+spacing = 0.01
+model = "cells"
+mass = 0.3
+stiffness = 200.0
+damping = 0.4
+ground = "z-"
+ground_stiffness = 1e4
+[between]
+friction = 0.8
+damping = 20.0
+[steps]
+rate = 500
+[synchronisation]
+law = "spring"
+{TOOL.format(size="[0.05, 0.05, 0.02]", at="[0.015, 0.015, 0.0305]", path="[0, 0, 0]")}"""
+
+
+def heading(world: World, position: np.ndarray) -> float:
+    """How a box of four masses is turned about z [degrees]."""
+    place = world.replica.body.rest[:4] + position[:4]
+    edge = place[0] - place[2] + place[1] - place[3]
+    return float(np.degrees(np.arctan2(edge[1], edge[0])))
+
+
+@pytest.fixture(scope="module")
+def turned(tmp_path_factory: pytest.TempPathFactory) -> World:
+    world = World(RIGID, folder=tmp_path_factory.mktemp("turned"), tick=2e-3)
+    ann, _ = (world.join(name) for name in ("Ann", "Ben"))
+    world.until(world.all_coupled, 12.0)
+    cleo = world.join("Cleo", moves=False)
+    world.until(lambda: len(ann.states()) == 2 and world.all_coupled(), 12.0)
+    world.run(0.6)
+    world.leave(cleo)
+    world.run(0.2)
+    for person in (*world.people, *world.gone):
+        assert person.session_recorder is not None
+        person.session_recorder.close()
+    return world
+
+
+def test_it_turns_everybodys_block_and_is_in_its_users_copy_alone(turned: World) -> None:
+    turned.check()
+    ann, ben = turned.people
+    assert heading(turned, ann.position) > 10.0
+    assert heading(turned, ben.position) > 0.5 * heading(turned, ann.position)
+    assert np.abs(ben.position[4:]).max() < 1e-9
+    assert np.abs(ann.position[4:]).max() > 0.01
+    peer = ann.copy.peer
+    assert peer is not None
+    assert peer.ports.force[peer.ports.first : peer.ports.last, 1].sum() > 0.1  # it pushes
+    for person in turned.people:
+        assert person.copy.totals.residual <= 1e-12
+
+
+def test_an_audit_works_out_anew_what_it_did(turned: World) -> None:
+    found = [read_recording(path) for path in turned.recordings]
+    result = audit(found)
+    assert result.holds, result.verdict
+    for ledger in result.users:
+        assert ledger.worked_out == ledger.steps
+    body = found[0].header.body.material
+    assert body is not None
+    assert [part.tool and part.tool.owner for part in body.body.parts] == [None, 0]
+    ann = found[0]
+    assert [len(setup.ports or ()) for setup in ann.setups][-1] == 4
+    bent = {**ann.columns, "force": ann.columns["force"] * 1.001}  # what holds the tool is worked out, too
+    assert not audit([replace(ann, columns=bent), *found[1:]]).holds
+
+
+@pytest.fixture
+def soft(tmp_path: Path) -> World:
+    (tmp_path / "recordings").mkdir()
+    world = World(SOFT, tick=2e-3, mailboxes=MailboxFolder(tmp_path))
+    for name in world.session.scenario.network.users:
+        world.join(name)
+    world.until(world.all_coupled, 12.0)
+    return world
+
+
+def test_it_is_led_to_a_pose_by_command_and_goes_back_to_its_file(soft: World) -> None:
+    """Pressed on a block that yields and turned: its hand is shown, both copies follow, nothing jerks."""
+    assert soft.commands is not None
+    ann = soft.people[0]
+    top = np.array([0.015, 0.015, 0.0305])
+    soft.commands.hand("user 1", "pose", to=(0.015, 0.015, 0.0275), turn=(0.0, 0.0, 0.3))
+    most = 0.0
+    for _ in range(50):
+        soft.run(0.02)
+        peer = ann.copy.peer
+        assert peer is not None
+        most = max(most, float(np.abs(peer.ports.force[:4].sum(axis=0)).max()))
+    shown = soft.commands.views()[0].hands[0]
+    assert shown.mode == "pose"
+    assert shown.target == pytest.approx([0.015, 0.015, 0.0275], abs=5e-5)
+    assert 0.0005 < top[2] - shown.place[2] < 0.003
+    assert shown.force[2] == pytest.approx(300 * (0.0275 - shown.place[2]), rel=0.02)
+    assert most < 3.0 * abs(shown.force[2])
+    count = soft.replica.body.shared
+    corners = [person.position[2] - person.position[count - 1] for person in soft.people]  # of the top, across
+    assert corners[0][0] > 2e-4  # turned along
+    assert corners[1][0] > 0.2 * corners[0][0]
+    soft.commands.hand("user 1", "script")
+    soft.run(2.0)
+    masses = ann.position[count:] + soft.replica.body.rest[count:]
+    assert masses.mean(axis=0) == pytest.approx(top, abs=1e-4)
+    assert soft.commands.views()[0].hands[0].mode == "script"
+    soft.check()
+    assert all(person.copy.totals.residual <= 1e-12 for person in soft.people)
+
+
+def test_let_go_it_comes_to_rest_and_is_held_by_nothing(soft: World) -> None:
+    assert soft.commands is not None
+    ann = soft.people[0]
+    soft.commands.hand("user 1", "pose", to=(0.015, 0.015, 0.2), turn=(0.0, 0.0, 0.0))
+    soft.run(0.4)
+    soft.commands.hand("user 1", "free")
+    soft.run(1.0)
+    before = ann.position[-1, 2]
+    soft.run(0.2)
+    peer = ann.copy.peer
+    assert peer is not None
+    assert ann.position[-1, 2] == pytest.approx(before, abs=1e-6)  # it came to rest
+    assert 0.01 < before < 0.15
+    assert np.abs(peer.ports.force).max() < 1e-4
+    soft.commands.hand("user 1", "pose", node=1, to=(0.0, 0.0, 0.0))  # there is no second tool
+    soft.run(0.1)
+    assert soft.commands.views()[0].hands[0].mode == "free"
+    assert np.abs(peer.ports.force).max() < 1e-4
+
+
+def test_what_there_is_not_is_one_sentence() -> None:
+    body = SessionFile.from_toml(SOFT).scenario.build_body()
+    place, turn = (0.0, 0.0, 0.1), (0.0, 0.0, 0.5)
+    check_hand(MoveHand(slot=0, mode="pose", to=place, turn=turn), body, cuts=True)
+    with pytest.raises(SessionError, match="this user has no rigid tool with a hand"):
+        check_hand(MoveHand(slot=1, mode="pose", to=place, turn=turn), body, cuts=True)
+    with pytest.raises(SessionError, match="with pose it must be from 0 to 0"):
+        check_hand(MoveHand(slot=0, mode="pose", node=1, to=place, turn=turn), body, cuts=True)
+    with pytest.raises(SessionError, match="there is no ball beside rigid tools"):
+        checked(Pointer(number=1, mode="ball", node=0, target=place), body, cuts=True)
+    with pytest.raises(SessionError, match="it must be from 0 to 47"):
+        checked(Pointer(number=1, mode="grab", node=48, target=place), body, cuts=True)
