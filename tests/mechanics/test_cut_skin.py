@@ -180,7 +180,7 @@ class TestWorld:
         start, after = np.array(places[:-1]), np.array(places[1:])
         told, material = Outside(np.full(steps, np.nan), *np.zeros((3, steps))), RecordedMaterial.of(copy.model)
         index = {"index": np.arange(steps, dtype=np.float64), "when": when}
-        found = material.outside(start, after, np.full(steps, T), told, fresh=first, follows=~first, **index)
+        found = material.outside(start, after, np.full(steps, T), told, fresh=first, follows=~first, user=0, **index)
         assert found.after == pytest.approx(held, rel=1e-9, abs=1e-15)
         _, _, _, inner = material.energies(start, after, (after - start) / T, **index)
         assert inner + found.cut == pytest.approx(gone, rel=1e-9, abs=1e-13)

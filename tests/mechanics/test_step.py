@@ -169,7 +169,8 @@ class TestWorkspace:
         """No warm start: the energy identity needs the solver to begin at zero."""
         clean, dirty = Copy(scene), Copy(scene)
         for array in dirty.work:
-            array[...] = garbage
+            if array.dtype == np.float64:  # which rows are solved for at once is no scratch
+                array[...] = garbage
         clean.step(T, cap=cap)
         dirty.step(T, cap=cap)
         same(clean, dirty)
