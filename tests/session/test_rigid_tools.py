@@ -116,6 +116,12 @@ def test_it_turns_everybodys_block_and_is_in_its_users_copy_alone(turned: World)
     assert peer.ports.force[peer.ports.first : peer.ports.last, 1].sum() > 0.1  # it pushes
     for person in turned.people:
         assert person.copy.totals.residual <= 1e-12
+        (link,) = person.copy.status(turned.now).links
+        apart = np.linalg.norm(ann.position - ben.position, axis=1)
+        assert (
+            apart[4:].max() > 1.5 * apart[:4].max()
+        )  # the tool is where it is not in Ben's copy, which is no difference
+        assert link.difference == pytest.approx(apart[:4].max(), rel=0.1)
 
 
 def test_an_audit_works_out_anew_what_it_did(turned: World) -> None:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Self, final
 
 import numpy as np
+import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.control import ControlPlane
@@ -51,6 +52,7 @@ class Neighbour:
         guard: what keeps this end passive; None: its law does.
         law: what the link does; None: a guarded spring.
         budget: how both ends agree on ages.
+        known: rows of the model that the link knows of: no tool's.
         connected: whether the spring is there, because the neighbour's state is known.
         silent: whether nothing has been heard for as long as makes an outage; of a link without a guard.
         guarded: how often it was guarded since it was coupled first.
@@ -65,6 +67,7 @@ class Neighbour:
     guard: LinkGuard | None
     law: LawLink | None
     budget: BudgetAgreement
+    known: npt.NDArray[np.bool_] | slice
     connected: bool = False
     silent: bool = False
     guarded: int = 0
@@ -216,6 +219,7 @@ class Neighbour:
                 patience=_PATIENCE * options.window,
                 limit=options.age_limit,
             ),
+            known=replica.model(1).operator.weight[0] > 0.0 if replica.body.tools else slice(None),
         )
 
     def status(self, position: Float | None, *, path_state: str, work: float) -> LinkStatus:
@@ -232,7 +236,7 @@ class Neighbour:
         if not self.connected or position is None:
             return LinkStatus(slot=slot, state="waiting", path_state=path_state)
         ledger, law = self.ledger, self.law
-        apart = np.linalg.norm(position - link.assembly.state, axis=1)
+        apart = np.linalg.norm((position - link.assembly.state)[self.known], axis=1)
         return LinkStatus(
             slot=slot,
             law="spring" if law is None else law.law.name,
