@@ -121,5 +121,6 @@ def test_an_audit_finds_closings_that_were_not(recorded: list[Recording]) -> Non
     others = (recorded[0], recorded[2])
     assert audit([replace(ben, columns={**ben.columns, "closing": whole}), *others]).findings
     assert audit([replace(ben, columns={**ben.columns, "closing": centres}), *others]).holds
-    with pytest.raises(RecordingError, match="does not say how the steps of its 2 bodies were closed"):
-        audit([replace(ben, columns={**ben.columns, "closing": closing[:, :1]}), *others])
+    for wrong in (closing[:, :1], np.full_like(closing, np.nan)):
+        with pytest.raises(RecordingError, match="does not say how the steps of its 2 bodies were closed"):
+            audit([replace(ben, columns={**ben.columns, "closing": wrong}), *others])

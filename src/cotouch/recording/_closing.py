@@ -37,7 +37,8 @@ def reopened(recording: "Recording", at: Int, v: Float, share: float) -> tuple[F
     if material is not None and material.body.parts:
         sizes = [part.body.nodes for part in material.body.parts]
         closing = columns.get(CLOSING)
-        if closing is None or closing.shape[1:] != (len(sizes), 4) or sum(sizes) != v.shape[1]:
+        fits = closing is not None and closing.shape[1:] == (len(sizes), 4) and sum(sizes) == v.shape[1]
+        if closing is None or not fits or not np.isfinite(closing[at]).all():
             raise RecordingError(f"{recording.path} does not say how the steps of its {len(sizes)} bodies were closed")
         unclosed, did = _several(recording, at, np.repeat(np.arange(len(sizes)), sizes), closing[at], v, share)
         return unclosed, np.where(np.isnan(did), columns["closure"][at], did)
