@@ -1,6 +1,7 @@
 """Machine code is kept as long as its sources stay the same, and large kernels are kept once."""
 # pyright: reportPrivateUsage=false
 
+import gc
 import importlib
 import os
 import pkgutil
@@ -15,7 +16,9 @@ from shutil import copytree, ignore_patterns
 from typing import Any
 
 import pytest
+from numba.core.compiler import Flags
 from numba.core.dispatcher import Dispatcher
+from numba.extending import overload
 
 import cotouch
 from cotouch import compiled as machine
@@ -493,3 +496,42 @@ def test_what_only_kernels_call_has_no_machine_code(tmp_path: Path):
     for file in tmp_path.rglob("parts.quartered*.nb?"):
         file.unlink()
     assert ran("x") == ["2.0", "1.0 1 0 1", *complaints], "and who is compiled anew copies what was kept"
+
+
+def test_memory_is_looked_through_less_often_while_something_is_compiled():
+    before = gc.get_threshold()
+    while_compiling: list[tuple[int, ...]] = []
+    over: Any = overload
+
+    @over(seen)
+    def _(number: int) -> Any:
+        while_compiling.append(gc.get_threshold())
+
+        def found(number: int) -> int:
+            return number
+
+        return found
+
+    @machine.routine
+    def made(number: int) -> int:
+        return seen(number)
+
+    assert made(1) == 1
+    assert while_compiling
+    assert {first for first, *_ in while_compiling} == {50_000}
+    assert gc.get_threshold() == before
+
+
+def seen(number: int) -> int:
+    """Stands for what numba finds the types of while it compiles."""
+    return number
+
+
+def test_options_are_alike_where_numba_says_so():
+    flags: Any = Flags
+    one, same, other = flags(), flags(), flags()
+    same.nrt, other.nrt = one.nrt, not one.nrt
+    assert one == same
+    assert one != other
+    assert hash(one) == hash(same)
+    assert one != "nrt"

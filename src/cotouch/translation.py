@@ -7,6 +7,7 @@ Python; all of it is copied into each caller, where it is optimised and translat
 call needs none of that but a form that is good to copy.
 """
 
+import gc
 import os
 from pathlib import Path
 from typing import Any, final
@@ -17,6 +18,8 @@ from numba.core.bytecode import FunctionIdentity
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import Compiler, CompileResult
 from numba.core.environment import lookup_environment
+from numba.core.event import Event, Listener, register
+from numba.core.targetconfig import TargetConfig
 
 _PACKAGE = Path(__file__).parent
 # How numba names a function's entry for Python, and its global variable for what it finds in Python.
@@ -38,6 +41,50 @@ class _Numbers:
 
 _identity: Any = FunctionIdentity
 _identity._unique_ids = _Numbers()
+
+
+def _equal(one: Any, other: object) -> Any:
+    """Numba's comparison of two sets of options, which it makes for every call that it finds the types of."""
+    if not isinstance(other, TargetConfig):
+        return NotImplemented
+    return one._values == other._values or one.values() == other.values()
+
+
+_options: Any = TargetConfig
+_options.__eq__ = _equal
+
+
+@final
+class _Collected(Listener):
+    """While something is compiled, which takes much memory and gives most of it back, it is looked through less often.
+
+    Otherwise a tenth of the time of compiling went into looking for circles of references.
+    """
+
+    def __init__(self) -> None:
+        self._depth, self._before, self._set = 0, gc.get_threshold(), gc.get_threshold()
+
+    def on_start(self, event: Event) -> None:
+        """Something is compiled, perhaps within something else."""
+        del event
+        if not self._depth:
+            self._before = self._set = gc.get_threshold()
+            if 0 < self._before[0] < _OBJECTS:  # 0: whoever runs this wants none of it
+                self._set = (_OBJECTS, *self._before[1:])
+                gc.set_threshold(*self._set)
+        self._depth += 1
+
+    def on_end(self, event: Event) -> None:
+        """It is done."""
+        del event
+        self._depth -= 1
+        if not self._depth and gc.get_threshold() == self._set:
+            gc.set_threshold(*self._before)
+
+
+# How many objects more than before are looked through; Python's own is 700.
+_OBJECTS = 50_000
+register("numba:compile", _Collected())
 
 
 class _Code(JITCodeLibrary):
