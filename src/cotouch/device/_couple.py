@@ -46,10 +46,12 @@ from cotouch.mechanics import (
     store,
     total,
 )
+from cotouch.passing import by_address
 
 Int = npt.NDArray[np.int64]
 
 
+@by_address
 class Couplings(NamedTuple):
     """The proxies' side. Row t of every array belongs to tool t.
 

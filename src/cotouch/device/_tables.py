@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
+from cotouch.passing import by_address
 
 Int = npt.NDArray[np.int64]
 
@@ -66,6 +67,7 @@ DEVICE_LEDGER = (
 )
 
 
+@by_address
 class Plants(NamedTuple):
     """How devices move.
 
@@ -91,6 +93,7 @@ class Plants(NamedTuple):
     substep: Float
 
 
+@by_address
 class Servos(NamedTuple):
     """Sensor, clock, actuator and law.
 
@@ -125,6 +128,7 @@ class Servos(NamedTuple):
     rest: Float
 
 
+@by_address
 class Grasps(NamedTuple):
     """The hands that hold the tips: mass, spring and damper to an equilibrium point on a path.
 
@@ -163,6 +167,7 @@ class Grasps(NamedTuple):
     phase: Float
 
 
+@by_address
 class Devices(NamedTuple):
     """What the devices are; nothing in it changes in a run."""
 
@@ -171,6 +176,7 @@ class Devices(NamedTuple):
     grasps: Grasps
 
 
+@by_address
 class DeviceState(NamedTuple):
     """Where the devices are, and what they exchange with the proxies' side.
 

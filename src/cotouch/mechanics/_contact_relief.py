@@ -20,6 +20,7 @@ from cotouch.errors import BodyError
 from cotouch.mechanics._contact_law import press
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._vector import at
+from cotouch.passing import by_address
 
 Int = npt.NDArray[np.int32]
 
@@ -27,6 +28,7 @@ Int = npt.NDArray[np.int32]
 _FLAT = 1e-24
 
 
+@by_address
 class Relief(NamedTuple):
     """Heights on a triangulated skin.
 

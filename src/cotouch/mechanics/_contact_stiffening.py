@@ -9,12 +9,14 @@ from math import pi
 from typing import NamedTuple
 
 from cotouch.mechanics._kernel import inner
+from cotouch.passing import by_address
 
 _SOFTEST = 0.05
 # κ π R² / k so that a flat pushes with k R / 10 at a depth of R / 10.
 _SHARE = 0.1 / (0.9 * (1.0 + _SOFTEST) * (0.5 * (1.0 - 0.9**2)) ** 2 / (0.9**2 + _SOFTEST))
 
 
+@by_address
 class Stiffening(NamedTuple):
     """Parameters of the law.
 

@@ -9,12 +9,14 @@ from cotouch.arrays import Float
 from cotouch.mechanics._model import Model
 from cotouch.mechanics._surface import Fit, Surface, fit_of
 from cotouch.mechanics._tools import MOST_HELD
+from cotouch.passing import by_address
 
 Int = npt.NDArray[np.int32]
 
 _STACK = 64
 
 
+@by_address
 class ContactWork(NamedTuple):
     """Scratch of one step; the tools of a copy are counted from 0.
 
@@ -126,6 +128,7 @@ class ContactWork(NamedTuple):
     seen: Float
 
 
+@by_address
 class Contact(NamedTuple):
     """How tools touch by a law.
 

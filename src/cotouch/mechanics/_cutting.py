@@ -26,6 +26,7 @@ from cotouch.mechanics._tools import BLADE, Tools
 from cotouch.mechanics._vector import at, put
 from cotouch.mechanics._world import World
 from cotouch.mechanics._world_cut import keep_depths, meet_anew, show
+from cotouch.passing import by_address
 
 Int = npt.NDArray[np.int32]
 
@@ -36,6 +37,7 @@ _SLOW = 1e-3
 KINDS, WIDEST = (2, 4, 8), 16
 
 
+@by_address
 class Cutting(NamedTuple):
     """The elements of a body as something to be cut; scratch besides.
 

@@ -19,8 +19,10 @@ from cotouch.mechanics import _force_springs as springs
 from cotouch.mechanics import _force_tetrahedra as tetrahedra
 from cotouch.mechanics._meeting import Parts
 from cotouch.mechanics._world import World
+from cotouch.passing import by_address
 
 
+@by_address
 class BodyForce(NamedTuple):
     """The forces inside a body, and its weight.
 

@@ -29,10 +29,12 @@ from cotouch.mechanics._matrix3 import (
     transpose,
 )
 from cotouch.mechanics._vector import at, load, store, total
+from cotouch.passing import by_address
 
 Int = npt.NDArray[np.int32]
 
 
+@by_address
 class CorotatedCells(NamedTuple):
     """Cubes of a regular grid; corner `4a + 2b + c` has coordinates (a, b, c).
 

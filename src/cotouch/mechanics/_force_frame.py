@@ -26,10 +26,12 @@ from cotouch.mechanics._matrix3 import (
     transposed_times,
 )
 from cotouch.mechanics._vector import at, put
+from cotouch.passing import by_address
 
 Int = npt.NDArray[np.int32]
 
 
+@by_address
 class Frame(NamedTuple):
     """A linear body in one frame.
 

@@ -16,11 +16,13 @@ from cotouch.arrays import Float
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import Matrix, mixture, product, symmetric, transposed_product
 from cotouch.mechanics._vector import at, put
+from cotouch.passing import by_address
 
 Int = npt.NDArray[np.int32]
 _Six = tuple[float, float, float, float, float, float]
 
 
+@by_address
 class Rigid(NamedTuple):
     """Bodies that keep their distances.
 

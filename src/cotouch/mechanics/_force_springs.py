@@ -12,12 +12,14 @@ from cotouch.mechanics._fours import Quad, add_rows, apart, as_rows, elements, f
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import Vector
 from cotouch.mechanics._vector import FOUR, at, load, root, splat, total, where
+from cotouch.passing import by_address
 
 Int = npt.NDArray[np.int32]
 # Rows of a block of four springs.
 ROWS = 5
 
 
+@by_address
 class SpringNetwork(NamedTuple):
     """Springs between nodes.
 

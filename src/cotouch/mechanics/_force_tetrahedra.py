@@ -49,6 +49,7 @@ from cotouch.mechanics._matrix3 import (
     transposed_product,
 )
 from cotouch.mechanics._vector import FOUR, load, splat, total, where
+from cotouch.passing import by_address
 
 Int = npt.NDArray[np.int32]
 # Rows of a block of four tetrahedra.
@@ -57,6 +58,7 @@ ROWS = 12
 _SWEEPS = 2
 
 
+@by_address
 class CorotatedTetrahedra(NamedTuple):
     """`μ ‖F - R‖² + ½ λ (tr RᵀF - 3)²`.
 
@@ -86,6 +88,7 @@ class CorotatedTetrahedra(NamedTuple):
     tie_cut: int = -1
 
 
+@by_address
 class StVenantKirchhoff(NamedTuple):
     """`μ ‖E‖² + ½ λ (tr E)²`, `E = ½ (FᵀF - I)`; fields as of `CorotatedTetrahedra`."""
 
@@ -101,6 +104,7 @@ class StVenantKirchhoff(NamedTuple):
     tie_cut: int = -1
 
 
+@by_address
 class NeoHookean(NamedTuple):
     """`½ μ (‖F‖² - 3) - μ (J - 1) + ½ (λ + μ) (J - 1)²`: stable, and sound where it is inverted; fields likewise."""
 

@@ -23,12 +23,14 @@ from cotouch.mechanics._force import LAWS, LEANS, evaluate, lean, resist
 from cotouch.mechanics._force_memory import forget, fresh_memory, take_back
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._vector import at, put
+from cotouch.passing import by_address
 
 Int = npt.NDArray[np.int32]
 # Numbers at the head of a memory.
 _HEAD = 4
 
 
+@by_address
 class Pack(NamedTuple):
     """The laws of one kind.
 
@@ -43,6 +45,7 @@ class Pack(NamedTuple):
     number: Float
 
 
+@by_address
 class Together(NamedTuple):
     """The laws of several bodies.
 

@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.errors import BodyError
+from cotouch.passing import by_address
 
 Int = npt.NDArray[np.int32]
 
@@ -48,6 +49,7 @@ class Between:
             )
 
 
+@by_address
 class Met(NamedTuple):
     """What contact did to each of several bodies; those that stand still follow the others.
 
@@ -64,6 +66,7 @@ class Met(NamedTuple):
     group: Int
 
 
+@by_address
 class Parts(NamedTuple):
     """Each body's share in the balance of a step.
 
@@ -84,6 +87,7 @@ class Parts(NamedTuple):
     sums: Float
 
 
+@by_address
 class Meeting(NamedTuple):
     """Bodies that meet: their skins as points and triangles, and a tree of boxes around the triangles of each.
 

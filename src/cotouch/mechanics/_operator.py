@@ -10,6 +10,7 @@ from scipy.sparse import csgraph
 from cotouch.arrays import Float
 from cotouch.mechanics._kernel import inner, kernel
 from cotouch.mechanics._vector import at, load, splat, store, total
+from cotouch.passing import by_address
 
 Int = npt.NDArray[np.int32]
 
@@ -17,6 +18,7 @@ Int = npt.NDArray[np.int32]
 MASS, DAMPING, STIFFNESS, WEIGHTS = 0, 1, 2, 3
 
 
+@by_address
 class Operator(NamedTuple):
     """M, B, K and the link weights W_w of one user's copy, as diagonals plus shared off-diagonal families.
 

@@ -8,6 +8,7 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.mechanics._operator import WEIGHTS, Operator
+from cotouch.passing import by_address
 
 Int = npt.NDArray[np.int32]
 
@@ -99,6 +100,7 @@ class Ports(NamedTuple):
     force: Float
 
 
+@by_address
 class Workspace(NamedTuple):
     """Scratch arrays of one step; sizes as `workspace` makes them.
 

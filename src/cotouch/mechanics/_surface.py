@@ -20,6 +20,7 @@ from cotouch.mechanics._contact_relief import Relief, bare
 from cotouch.mechanics._kernel import block
 from cotouch.mechanics._model import Model
 from cotouch.mechanics._vector import FOUR, at, load, lower, splat, store, upper
+from cotouch.passing import by_address
 
 Int = npt.NDArray[np.int32]
 
@@ -28,6 +29,7 @@ _LEAF = 4
 _PROBES = 32
 
 
+@by_address
 class Surface(NamedTuple):
     """A triangulated skin, its tree of boxes, and how it hangs on the rows of a model.
 
@@ -71,6 +73,7 @@ class Surface(NamedTuple):
     relief: Relief
 
 
+@by_address
 class Fit(NamedTuple):
     """Where a surface is just now; scratch of `refit` and the searches.
 

@@ -14,6 +14,7 @@ from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._meeting import Meeting
 from cotouch.mechanics._shape import Shape, packed
 from cotouch.mechanics._shape_solid import Solid
+from cotouch.passing import by_address
 
 Int = npt.NDArray[np.int32]
 
@@ -66,6 +67,7 @@ def solids_of(obstacles: Sequence[Obstacle], body: Body) -> list[Obstacle]:
     return found
 
 
+@by_address
 class World(NamedTuple):
     """Obstacles, and the points of a body's skin that meet them.
 

@@ -11,11 +11,13 @@ from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Model, Ports, at, kernel, path_place, put, splat, store
+from cotouch.passing import by_address
 from cotouch.scenario._tables import HandTable
 
 Int = npt.NDArray[np.int32]
 
 
+@by_address
 class Hands(NamedTuple):
     """What pulls at the ports. A hand follows its path, pulls by a spring and damper, and lets go.
 

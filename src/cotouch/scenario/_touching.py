@@ -18,6 +18,7 @@ from cotouch.device import (
     pull_proxy,
 )
 from cotouch.mechanics import AWAY, Contact, Ports, Surface, Tools, at, block, load, part, put, store
+from cotouch.passing import by_address
 from cotouch.scenario._hands import Hands, grip
 
 Int = npt.NDArray[np.int32]
@@ -25,6 +26,7 @@ Int = npt.NDArray[np.int32]
 FOUR = (0, 0, 0, 0)
 
 
+@by_address
 class Touching(NamedTuple):
     """Everything that tools need in a run. Row t of every array of tools belongs to tool t, ordered by user.
 
@@ -63,6 +65,7 @@ class Touching(NamedTuple):
     ledger: Float
 
 
+@by_address
 class ToolRecord(NamedTuple):
     """What is kept of the tools; entry 0 is the start.
 

@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
+from cotouch.passing import by_address
 from cotouch.scenario import Channel, Trace
 
 # Further delay of some messages of one direction, by their numbers and how long after the others they are sent [s].
@@ -16,6 +17,7 @@ Measured: TypeAlias = Callable[[npt.NDArray[np.int64], float], Float]
 _MOST_TRIES = 1000
 
 
+@by_address
 class Draws(NamedTuple):
     """What happens to the messages of one direction; not for writing, because a constant is one number seen as many.
 

@@ -9,9 +9,11 @@ import numpy.typing as npt
 
 from cotouch.laws import End, Part, feel, hand, handed
 from cotouch.mechanics import BodyForce, Contact, Ports, at, inner, put, tell_push
+from cotouch.passing import by_address
 from cotouch.simulation._layout import Float, Int, Timing, Topology
 
 
+@by_address
 class Ends(NamedTuple):
     """What the law's functions see of every slot, and what the step makes of it. Fields are flat, (size,).
 

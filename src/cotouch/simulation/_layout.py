@@ -10,6 +10,7 @@ from cotouch.mechanics import (
     Ports,
     Workspace,
 )
+from cotouch.passing import by_address
 
 Int = npt.NDArray[np.int32]
 
@@ -31,6 +32,7 @@ SLOT_LEDGER = ("link_work", "delay_work")
 TICK_LEDGER = ("stored", "supplied", "dissipated", "delay_work", "residual", "slack")
 
 
+@by_address
 class Topology(NamedTuple):
     """Who is joined to whom. A *slot* is one direction of a link: a receiver's view of one neighbour.
 
@@ -55,6 +57,7 @@ class Topology(NamedTuple):
     push: Float
 
 
+@by_address
 class Timing(NamedTuple):
     """When every step happens and which samples it uses.
 
@@ -77,6 +80,7 @@ class Timing(NamedTuple):
     stop: npt.NDArray[np.int64]
 
 
+@by_address
 class Fields(NamedTuple):
     """State of all users, (users, rows, width); memory (users, numbers); samples (ring and initial, rows, width)."""
 
@@ -88,6 +92,7 @@ class Fields(NamedTuple):
     samples: Float
 
 
+@by_address
 class Record(NamedTuple):
     """What is kept of a run; entry 0 is the initial state.
 
@@ -125,6 +130,7 @@ class Record(NamedTuple):
     made: Float
 
 
+@by_address
 class Frames(NamedTuple):
     """Whole copies at given times.
 
@@ -139,6 +145,7 @@ class Frames(NamedTuple):
     done: Int
 
 
+@by_address
 class Scratch(NamedTuple):
     """Scratch arrays of the engine."""
 
