@@ -13,7 +13,8 @@ from typing import Any, TypeVar, final
 
 from llvmlite import ir
 from numba.core import cgutils, types
-from numba.core.datamodel import PrimitiveModel, register_default
+from numba.core.datamodel.models import PrimitiveModel
+from numba.core.datamodel.registry import register_default
 from numba.core.imputils import impl_ret_borrowed, lower_getattr_generic
 from numba.extending import NativeValue, box, typeof_impl, unbox
 
@@ -46,8 +47,9 @@ def by_address(table: T) -> T:
     """
 
     @typeof_impl.register(table)
-    def _(value: Any, context: Any) -> ByAddress:
-        return ByAddress([typeof_impl(field, context) for field in value], table)
+    def _(value: Any, context: Any) -> ByAddress | None:
+        fields = [typeof_impl(field, context) for field in value]
+        return None if None in fields else ByAddress(fields, table)
 
     return table
 
