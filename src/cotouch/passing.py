@@ -1,5 +1,3 @@
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false, reportUnknownParameterType=false, reportUnknownLambdaType=false
-# numba has no types
 """How tables of many arrays come to kernels: by address.
 
 Numba hands a NamedTuple over field by field. A body with its world has nearly a thousand, every call of one kernel by
@@ -9,14 +7,19 @@ the kernel, and handed on as one address.
 """
 
 from collections.abc import Iterator
+from importlib import import_module
 from typing import Any, TypeVar, final
 
-from llvmlite import ir
-from numba.core import cgutils, types
+from numba.core import types
 from numba.core.datamodel.models import PrimitiveModel
-from numba.core.datamodel.registry import register_default
-from numba.core.imputils import impl_ret_borrowed, lower_getattr_generic
-from numba.extending import NativeValue, box, typeof_impl, unbox
+from numba.extending import NativeValue, typeof_impl
+
+# LLVM's types and numba's decorators have no types of their own.
+ir: Any = import_module("llvmlite.ir")
+cgutils: Any = import_module("numba.core.cgutils")
+registry: Any = import_module("numba.core.datamodel.registry")
+imputils: Any = import_module("numba.core.imputils")
+boxing: Any = import_module("numba.core.pythonapi")
 
 T = TypeVar("T", bound=type)
 
@@ -54,7 +57,8 @@ def by_address(table: T) -> T:
     return table
 
 
-@register_default(ByAddress)
+@registry.register_default(ByAddress)
+@final
 class _Address(PrimitiveModel):
     def __init__(self, manager: Any, kind: Any) -> None:
         super().__init__(manager, kind, _BYTES)
@@ -84,20 +88,20 @@ def _place(builder: Any, memory: Any, word: int, kind: Any) -> Any:
     return builder.bitcast(at, kind.as_pointer())
 
 
-@lower_getattr_generic(ByAddress)
+@imputils.lower_getattr_generic(ByAddress)
 def _field(context: Any, builder: Any, kind: Any, memory: Any, name: str) -> Any:
-    index = kind.fields.index(name)
-    field, word = context.get_value_type(kind.types[index]), _places(context, kind)[index]
+    index, fields = kind.fields.index(name), list[Any](kind)
+    field, word = context.get_value_type(fields[index]), _places(context, kind)[index]
     value = ir.Constant(field, ir.Undefined)
     for offset, (number, path) in enumerate(_numbers(field)):
         read = builder.load(_place(builder, memory, word + offset, number))
         # Nobody writes there, so it need be read only once, whatever is written elsewhere meanwhile.
         read.set_metadata("invariant.load", builder.module.add_metadata([]))
         value = builder.insert_value(value, read, path) if path else read
-    return impl_ret_borrowed(context, builder, kind.types[index], value)
+    return imputils.impl_ret_borrowed(context, builder, fields[index], value)
 
 
-@unbox(ByAddress)
+@boxing.unbox(ByAddress)
 def _write(kind: Any, table: Any, c: Any) -> NativeValue:
     found = c.unbox(types.NamedTuple(kind.types, kind.instance_class), table)
     memory = cgutils.alloca_once(c.builder, ir.IntType(64), size=max(1, _places(c.context, kind)[-1]))
@@ -114,7 +118,7 @@ def _write(kind: Any, table: Any, c: Any) -> NativeValue:
     return NativeValue(c.builder.call(same, [memory]), is_error=found.is_error, cleanup=found.cleanup)
 
 
-@box(ByAddress)
+@boxing.box(ByAddress)
 def _read(kind: Any, memory: Any, c: Any) -> Any:
     fields = [_field(c.context, c.builder, kind, memory, name) for name in kind.fields]
     twin = types.NamedTuple(kind.types, kind.instance_class)
