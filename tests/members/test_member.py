@@ -17,7 +17,7 @@ BODY = """
 mass = 0.5
 damping = 0.2
 [steps]
-rate = 250
+rate = 100
 """
 
 
@@ -26,11 +26,12 @@ def hand(user: int, path: list[list[float]]) -> str:
 
 
 THREE = "[session]\nusers = 3\nspring = 60.0" + BODY + hand(1, [[0, 0], [1, 0.05]])
+FINE = THREE.replace("rate = 100", "rate = 250")  # where copies must stay together
 SPRINGS = '[synchronisation]\nlaw = "spring"\n'  # where a test is of budgets and guards
 
 
-def three(law: str = "", **options) -> World:
-    world = World(THREE + law, **options)
+def three(law: str = "", text: str = THREE) -> World:
+    world = World(text + law)
     for name in ("Ann", "Ben", "Cleo"):
         world.join(name, moves=name == "Ann")
     world.until(world.all_coupled, 12.0)
@@ -38,7 +39,7 @@ def three(law: str = "", **options) -> World:
 
 
 def test_three_meet_couple_and_follow_one_hand() -> None:
-    world = three()
+    world = three(text=FINE)
     world.run(6.0)
     assert world.apart() < 1e-3
     assert abs(world.people[2].position[0, 0] - 0.05) < 5e-3
@@ -93,7 +94,7 @@ def test_hands_of_the_file_wait_for_nobody_for_ever() -> None:
 
 
 def test_one_joins_while_the_others_hold_the_object_without_a_jerk() -> None:
-    world = World(THREE)
+    world = World(FINE)
     ann, ben = world.join("Ann"), world.join("Ben", moves=False)
     world.until(world.all_coupled, 12.0)
     world.run(4.0)
@@ -114,7 +115,7 @@ def test_one_joins_while_the_others_hold_the_object_without_a_jerk() -> None:
 
 @pytest.mark.parametrize("how", ["leave", "kill"])
 def test_one_goes_and_the_others_go_on(how: str) -> None:
-    world = three()
+    world = three(text=FINE)
     world.run(2.0)
     ben = world.people[1]
     getattr(world, how)(ben)
@@ -127,7 +128,7 @@ def test_one_goes_and_the_others_go_on(how: str) -> None:
 
 
 def test_who_crashed_comes_back_under_its_name() -> None:
-    world = three()
+    world = three(text=FINE)
     cleo = world.people[2]
     slot = cleo.member.slot
     world.kill(cleo)
@@ -460,8 +461,8 @@ def test_samples_are_read_between_steps_and_used_in_the_next() -> None:
     ann, ben = world.people[0], world.people[1]
     link = ann.copy.neighbours[1].link
     steps, before = ann.copy.peer.steps, link.assembly.newest
-    ann.stalled_until = world.now + 0.05
-    world.run(0.04)
+    ann.stalled_until = world.now + 0.1
+    world.run(0.09)
     assert link.assembly.newest == before  # nobody read
     ann.member.listen(world.now)
     assert ann.copy.peer.steps == steps
