@@ -13,7 +13,7 @@ THREE = """
 users = 3
 spring = 60.0
 [steps]
-rate = 100
+rate = 50
 """
 
 
