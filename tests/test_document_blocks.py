@@ -141,7 +141,9 @@ def read_toml(block: Block) -> None:
 
 
 def sooner(words: list[str]) -> list[str]:
-    """A search that may take long may take 2 s here: what it finds is no part of what a page promises."""
+    """A search may take 2 s here: what it finds is no part of what a page promises."""
+    if words[0] == "plan" and "--time-limit" not in words:
+        words = [*words, "--time-limit", "2"]
     return [
         (f"{min(2.0, float(word))}" if before == "--time-limit" else word) for before, word in pairwise(["", *words])
     ]

@@ -306,9 +306,9 @@ class TestParts:
 
 
 class TestTetrahedra:
-    @given(st.sets(st.integers(0, 143)))
+    @given(st.sets(st.integers(0, 47)))
     def test_inverted_elements_are_turned(self, flipped: set[int]):
-        points, elements = block((6, 2, 2), SIZE)
+        points, elements = block((2, 2, 2), SIZE)
         chosen = sorted(flipped)
         mirrored = elements.copy()
         mirrored[chosen] = mirrored[chosen][:, [1, 0, 2, 3]]
@@ -434,7 +434,7 @@ def test_sphere_volume_and_frequency_do_not_depend_on_where_it_lies():
     rung = []
     for seed in range(3):
         body = body_from_surface(
-            (points @ rotation(seed).T + seed, faces), unit="cm", resolution=14, model="elastic", young=E
+            (points @ rotation(seed).T + seed, faces), unit="cm", resolution=10, model="elastic", young=E
         )
         values, _ = lowest_modes(body.mass, body.stiffness, body.rest, 7)
         rung.append(float(np.sqrt(values[6])))

@@ -16,6 +16,7 @@ from cotouch.mechanics import (
     BodyForce,
     Links,
     Obstacle,
+    Plane,
     Ports,
     State,
     closed_settle,
@@ -29,8 +30,11 @@ from cotouch.mechanics import (
 Float = npt.NDArray[np.float64]
 SHAPE, SPACING, YOUNG, POISSON, DENSITY = (4, 3, 3), 0.01, 1e4, 0.3, 1000.0
 GRIDS = ("floating", "cells", "spring-network")
+FLOATS = {"floating", "rigid"}
 SOLIDS = ("elastic floating", "corotated", "st-venant-kirchhoff", "neo-hookean")
 EVERY = (*GRIDS, *SOLIDS, "rigid")
+# What never meets anything is stepped by the machine code of what does.
+FAR = Obstacle(shape=Plane(point=(0.0, 0.0, -1e3)), stiffness=1.0)
 
 
 def boxes(shape: tuple[int, ...] = SHAPE, spacing: float = SPACING) -> tuple[Float, npt.NDArray[np.int64]]:
@@ -109,6 +113,8 @@ class Alone:
         obstacles: Sequence[Obstacle] = (),
         between: Between | None = None,
     ) -> None:
+        if not obstacles and between is None and body.material is not None and body.material.model in FLOATS:
+            obstacles = [FAR]
         self.body, self.model = body, model(body, copies=copies, obstacles=obstacles, between=between)
         assert self.model.force is not None
         self.force = self.model.force if directions is None else self.model.force._replace(directions=directions)

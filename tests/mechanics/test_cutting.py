@@ -62,8 +62,6 @@ def held_by(copy: Alone, cutting: Cutting, element: int) -> float:
 @pytest.mark.parametrize("name", CUTTABLE)
 def test_energy_falls_by_what_the_elements_held(name: str) -> None:
     copy, cutting = cut_copy(name, copies=2)
-    for _ in range(5):
-        copy.step(1e-3)
     before, count = copy.energy, cutting.wanted.size
     elements = np.random.default_rng(1).choice(count, count // 3, replace=False)
     single = [held_by(copy, cutting, int(element)) for element in elements]
@@ -75,6 +73,18 @@ def test_energy_falls_by_what_the_elements_held(name: str) -> None:
     assert copy.ledger[CUT] == pytest.approx(0.5 * sum(single), rel=1e-12)
     assert take_away(copy, cutting, elements) == 0  # they are gone
     assert copy.ledger[CUT] == 0.0
+
+
+@pytest.mark.parametrize("name", CUTTABLE)
+def test_what_is_left_moves_on_in_balance(name: str) -> None:
+    """Cut as it moves; then every step balances."""
+    copy, cutting = cut_copy(name, copies=2)
+    for _ in range(5):
+        copy.step(1e-3)
+    before, count = copy.energy, cutting.wanted.size
+    elements = np.random.default_rng(1).choice(count, count // 3, replace=False)
+    assert take_away(copy, cutting, elements) == elements.size
+    assert before - copy.energy == pytest.approx(copy.ledger[CUT], rel=1e-12)
     for _ in range(50):
         energy = copy.energy
         ledger = copy.step(1e-3)

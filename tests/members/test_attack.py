@@ -77,7 +77,7 @@ def test_nobody_cuts_the_links_of_others_by_what_it_says_was_decided() -> None:
 
 def test_a_search_finds_nothing() -> None:
     search = Search(np.random.default_rng(5), judge=lambda lie: play(lie, seconds=2.5))
-    for lie, outcome in search.run(10):
+    for lie, outcome in search.run(5):
         assert outcome.held, (lie, outcome.broken)
     # It does look: the worst of each goal is worse than what the truth leads to.
     truth = play(Lie(seed=2), seconds=2.5)

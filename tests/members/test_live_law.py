@@ -104,7 +104,7 @@ def test_who_begins_together_needs_no_allowance() -> None:
 def test_clocks_may_differ() -> None:
     """Whatever the members' clocks show: ages come from echoes, and only differences of them count."""
     apart: dict[float, float] = {}
-    for offset in (0.0, 1234.5, -1e6):
+    for offset in (0.0, -1e6):
         world = World(text(hands=carried()), law=PathLaw(delay=0.03), tick=2.5e-3)
         ann, ben = world.join("Ann"), world.join("Ben")
         _shift(ben, offset)

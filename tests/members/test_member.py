@@ -17,7 +17,7 @@ BODY = """
 mass = 0.5
 damping = 0.2
 [steps]
-rate = 250
+rate = 100
 """
 
 
@@ -26,11 +26,17 @@ def hand(user: int, path: list[list[float]]) -> str:
 
 
 THREE = "[session]\nusers = 3\nspring = 60.0" + BODY + hand(1, [[0, 0], [1, 0.05]])
+FINE = THREE.replace("rate = 100", "rate = 250")  # where copies must stay together
 SPRINGS = '[synchronisation]\nlaw = "spring"\n'  # where a test is of budgets and guards
 
 
-def three(law: str = "", **options) -> World:
-    world = World(THREE + law, **options)
+def coarse(text: str, **options) -> World:
+    """Whose clock goes by a fifth of a step."""
+    return World(text, tick=2e-3, **options)
+
+
+def three(law: str = "", text: str = THREE) -> World:
+    world = coarse(text + law)
     for name in ("Ann", "Ben", "Cleo"):
         world.join(name, moves=name == "Ann")
     world.until(world.all_coupled, 12.0)
@@ -38,7 +44,7 @@ def three(law: str = "", **options) -> World:
 
 
 def test_three_meet_couple_and_follow_one_hand() -> None:
-    world = three()
+    world = three(text=FINE)
     world.run(6.0)
     assert world.apart() < 1e-3
     assert abs(world.people[2].position[0, 0] - 0.05) < 5e-3
@@ -62,7 +68,7 @@ def test_damping_goes_with_its_links_and_not_a_turn_later() -> None:
 
 def test_hands_of_the_file_wait_until_their_copies_are_coupled() -> None:
     alone, gathered = (
-        World(APART.format(gather=given), law=PathLaw(delay=0.1)) for given in ("", "wait_for_peers = 9.0")
+        coarse(APART.format(gather=given), law=PathLaw(delay=0.1)) for given in ("", "wait_for_peers = 9.0")
     )
     for world in (alone, gathered):
         world.join("Ann")
@@ -78,7 +84,7 @@ def test_hands_of_the_file_wait_until_their_copies_are_coupled() -> None:
 
 
 def test_hands_of_the_file_wait_for_nobody_for_ever() -> None:
-    world = World(APART.format(gather="wait_for_peers = 3.0"))
+    world = coarse(APART.format(gather="wait_for_peers = 3.0"))
     ann = world.join("Ann")
     world.until(lambda: ann.member.replica is not None and ann.copy.peer is not None, 5.0)
     world.run(2.9)
@@ -93,7 +99,7 @@ def test_hands_of_the_file_wait_for_nobody_for_ever() -> None:
 
 
 def test_one_joins_while_the_others_hold_the_object_without_a_jerk() -> None:
-    world = World(THREE)
+    world = coarse(FINE)
     ann, ben = world.join("Ann"), world.join("Ben", moves=False)
     world.until(world.all_coupled, 12.0)
     world.run(4.0)
@@ -114,7 +120,7 @@ def test_one_joins_while_the_others_hold_the_object_without_a_jerk() -> None:
 
 @pytest.mark.parametrize("how", ["leave", "kill"])
 def test_one_goes_and_the_others_go_on(how: str) -> None:
-    world = three()
+    world = three(text=FINE)
     world.run(2.0)
     ben = world.people[1]
     getattr(world, how)(ben)
@@ -127,7 +133,7 @@ def test_one_goes_and_the_others_go_on(how: str) -> None:
 
 
 def test_who_crashed_comes_back_under_its_name() -> None:
-    world = three()
+    world = three(text=FINE)
     cleo = world.people[2]
     slot = cleo.member.slot
     world.kill(cleo)
@@ -199,7 +205,7 @@ def test_one_way_is_enough_to_guard_both_ends() -> None:
 
 def test_a_bad_network() -> None:
     law = PathLaw(delay=0.03, jitter=0.05, loss=0.3, duplication=0.1, reordering=0.3, hold=0.03)
-    world = World(THREE, law=law, seed=3)
+    world = coarse(THREE, law=law, seed=3)
     for name in ("Ann", "Ben", "Cleo"):
         world.join(name, moves=name == "Ann")
     world.until(world.all_coupled, 25.0)
@@ -220,7 +226,7 @@ def test_a_peer_that_stalls_is_waited_for_by_nobody() -> None:
 
 def test_a_copy_moves_from_the_step_after_it_was_made() -> None:
     """Making it may take a second, and a sample that bore the time from before would be as old."""
-    world = World(THREE)
+    world = coarse(THREE)
     ann = world.join("Ann")
     for _ in range(6000):
         world.run(0.002)
@@ -299,7 +305,7 @@ def test_others_cannot_decide() -> None:
 
 @pytest.mark.parametrize("mode", ["constant", "self-paced"])
 def test_a_constant_index_delay_couples_too(mode: str) -> None:
-    world = World(THREE + f'[synchronisation]\nmode = "{mode}"\n', law=PathLaw(delay=0.01, loss=0.02))
+    world = coarse(THREE + f'[synchronisation]\nmode = "{mode}"\n', law=PathLaw(delay=0.01, loss=0.02))
     for name in ("Ann", "Ben", "Cleo"):
         world.join(name, moves=name == "Ann")
     world.until(world.all_coupled, 15.0)
@@ -311,7 +317,7 @@ def test_a_constant_index_delay_couples_too(mode: str) -> None:
 
 def test_a_common_index_goes_on_with_the_clock_of_who_misses_steps() -> None:
     """Steps that are left out are not taken later: else every one would make a user's samples older, for good."""
-    world = World(THREE + '[synchronisation]\nmode = "constant"\n', law=PathLaw(delay=0.01))
+    world = coarse(THREE + '[synchronisation]\nmode = "constant"\n', law=PathLaw(delay=0.01))
     for name in ("Ann", "Ben", "Cleo"):
         world.join(name, moves=name == "Ann")
     world.until(world.all_coupled, 15.0)
@@ -336,7 +342,7 @@ def test_a_common_index_goes_on_with_the_clock_of_who_misses_steps() -> None:
 
 
 def test_a_wait_longer_than_a_step_may_last_is_time_in_which_the_copy_stood() -> None:
-    world = World(THREE + '[synchronisation]\nmode = "self-paced"\n', law=PathLaw(delay=0.01))
+    world = coarse(THREE + '[synchronisation]\nmode = "self-paced"\n', law=PathLaw(delay=0.01))
     for name in ("Ann", "Ben", "Cleo"):
         world.join(name, moves=name == "Ann")
     world.until(world.all_coupled, 15.0)
@@ -353,7 +359,7 @@ def test_a_wait_longer_than_a_step_may_last_is_time_in_which_the_copy_stood() ->
 
 
 def test_ways_are_measured_where_there_is_no_link() -> None:
-    world = World(
+    world = coarse(
         """
 [network]
 users = ["Ann", "Ben", "Cleo"]
@@ -386,7 +392,7 @@ emulate = true
 
 
 def test_rounded_samples_are_paid_for() -> None:
-    world = World(THREE.replace("users = 3", 'users = 3\nencoding = "float32"\nmax_displacement = 1.0'))
+    world = coarse(THREE.replace("users = 3", 'users = 3\nencoding = "float32"\nmax_displacement = 1.0'))
     for name in ("Ann", "Ben", "Cleo"):
         world.join(name, moves=name == "Ann")
     assert 0.0 < world.replica.rounding < 1e-7
@@ -460,8 +466,8 @@ def test_samples_are_read_between_steps_and_used_in_the_next() -> None:
     ann, ben = world.people[0], world.people[1]
     link = ann.copy.neighbours[1].link
     steps, before = ann.copy.peer.steps, link.assembly.newest
-    ann.stalled_until = world.now + 0.05
-    world.run(0.04)
+    ann.stalled_until = world.now + 0.1
+    world.run(0.09)
     assert link.assembly.newest == before  # nobody read
     ann.member.listen(world.now)
     assert ann.copy.peer.steps == steps
@@ -483,7 +489,7 @@ def test_links_are_tended_in_turns_where_they_are_many() -> None:
 def test_a_refusal_that_stays_is_told_at_once_and_a_full_session_is_waited_for() -> None:
     """One who asks for a name of somebody else's needs no twelve seconds to hear so; slots may become free."""
     pair = 'users = ["Ann", "Ben"]\nspring = [[0, 50], [50, 0]]\ndelay = [[0, 0.01], [0.01, 0]]'
-    world = World(f"[network]\n{pair}\n[steps]\nrate = 100\n")
+    world = coarse(f"[network]\n{pair}\n[steps]\nrate = 100\n")
     world.join("Ann")
     world.join("Ben")
     world.run(1.0)

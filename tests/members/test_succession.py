@@ -20,7 +20,7 @@ spring = 60.0
 mass = 0.5
 damping = 0.2
 [steps]
-rate = 100
+rate = 50
 """
 NAMES = ("Ann", "Ben", "Cleo")
 HOST, ANN, BEN, CLEO, DAN, EVE = (Identity.make(entropy(k)) for k in range(6))

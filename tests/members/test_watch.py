@@ -13,7 +13,7 @@ THREE = """
 users = 3
 spring = 60.0
 [steps]
-rate = 100
+rate = 50
 """
 
 
@@ -24,7 +24,7 @@ def watched(world: World) -> tuple[SessionWatch, Identity]:
 
 
 def test_members_that_a_watcher_cannot_reach_are_handed_on_by_the_host() -> None:
-    world = World(THREE)
+    world = World(THREE, tick=2e-3)
     people = [world.join(name, moves=False) for name in ("Ann", "Ben", "Cleo")]
     watch, identity = watched(world)
     for hidden in people[1:]:
@@ -52,7 +52,7 @@ def test_members_that_a_watcher_cannot_reach_are_handed_on_by_the_host() -> None
 
 
 def test_only_the_host_hands_on_and_what_is_heard_directly_counts() -> None:
-    world = World(THREE)
+    world = World(THREE, tick=2e-3)
     people = [world.join(name, moves=False) for name in ("Ann", "Ben", "Cleo")]
     watch, identity = watched(world)
     for _ in range(60):
@@ -77,7 +77,7 @@ def test_only_the_host_hands_on_and_what_is_heard_directly_counts() -> None:
 
 
 def test_names_are_remembered_only_so_many() -> None:
-    world = World(THREE)
+    world = World(THREE, tick=2e-3)
     world.join("Ann", moves=False)
     watch, _ = watched(world)
     for _ in range(60):
@@ -93,7 +93,7 @@ def test_names_are_remembered_only_so_many() -> None:
 
 
 def test_it_is_said_once_that_forces_and_energy_disagree() -> None:
-    world = World(THREE)
+    world = World(THREE, tick=2e-3)
     watch, _ = watched(world)
     entry = Entry(slot=0, name="Ann", key="0" * 64)
     for alarms in (0, 0, 2, 2, 5):
@@ -103,7 +103,7 @@ def test_it_is_said_once_that_forces_and_energy_disagree() -> None:
 
 
 def test_what_there_is_to_say_of_a_device_reaches_who_watches() -> None:
-    world = World(THREE)
+    world = World(THREE, tick=2e-3)
     ann = world.join("Ann", moves=False)
     watch, _ = watched(world)
     said = ["", "real-time priority was refused", "force is off", "force is off"]
@@ -117,7 +117,7 @@ def test_what_there_is_to_say_of_a_device_reaches_who_watches() -> None:
 
 
 def test_it_knows_that_somebody_took_a_part_of_the_ledger_along() -> None:
-    world = World(THREE)
+    world = World(THREE, tick=2e-3)
     people = [world.join(name, moves=False) for name in ("Ann", "Ben")]
     watch, _ = watched(world)
 

@@ -100,7 +100,7 @@ def test_no_motion_gets_energy_out():
 def test_nor_over_bad_paths(initial_energy: float):
     """Two to five users, jitter, loss, outages of one way, clocks of their own, hands that push and follow."""
     coupled = 0
-    for seed in range(40):
+    for seed in range(20):
         options = {"initial_energy": initial_energy, "cap": 0.5} if seed % 2 else {"initial_energy": initial_energy}
         plan = random_plan(seed, **options)
         for policy in (greedy(seed), knots(plan, worst_motions(plan, seed), SPAN)):
@@ -108,7 +108,7 @@ def test_nor_over_bad_paths(initial_energy: float):
             assert outcome.supplied >= -initial_energy * len(outcome.guards) - 1e-12 * outcome.scale
             balanced(outcome, initial_energy)
             coupled += outcome.coupled
-    assert coupled > 150
+    assert coupled > 75
 
 
 def spoiled(monkeypatch: pytest.MonkeyPatch, what: str) -> None:

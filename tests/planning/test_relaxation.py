@@ -27,7 +27,7 @@ def alike(size: int, seed: int, *, clocks: bool = False) -> Network:
 def test_no_choice_decays_faster_than_the_bound(clocks, stiffness):
     body = {"mass": 0.01, "stiffness": stiffness}
     gaps = []
-    for seed in range(6):
+    for seed in range(3):
         network = alike(5, seed, clocks=clocks)
         bound, why = bound_of(make_problem(network, links=4, objective="decay", **body))
         assert bound is not None

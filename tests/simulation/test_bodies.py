@@ -31,13 +31,13 @@ def stack(**tables: Any) -> Scenario:
 
 @pytest.fixture(scope="module")
 def taken_apart() -> Any:
-    return simulate(Scenario.read(EXAMPLE).replace(record__nodes="all"))
+    return simulate(Scenario.read(EXAMPLE).replace(record__nodes="all", steps__rate=500))
 
 
 def test_a_tower_stands_and_two_take_it_apart(taken_apart: Any) -> None:
     place = taken_apart["position"].values.reshape(2, -1, 5, 4, 3)[:, :, :, :, :].mean(axis=3)
     begun = place[:, 0]
-    assert np.abs(place[:, 480] - begun).max() <= 1.5e-3  # it stood, each block pressed in by those above
+    assert np.abs(place[:, 240] - begun).max() <= 1.5e-3  # it stood, each block pressed in by those above
     assert place[:, -1, 4] == pytest.approx(np.tile([-0.12, 0.0, 0.025], (2, 1)), abs=0.03)  # Ann's lies on the table
     assert (place[:, -1, :, 2] < 0.06).all()  # Ben pushed the rest over
     assert taken_apart.attrs["energy_residual"] <= 1e-12
@@ -63,8 +63,10 @@ def test_a_body_that_meets_itself_does_so_in_every_world_to_the_same_bits() -> N
     assert max(abs(report.residual) for reports in peers.reports for report in reports) <= 1e-15
 
 
-@pytest.mark.parametrize("faces", [False, True])
-def test_several_are_cut_in_every_world_to_the_same_bits(faces: bool) -> None:
+@pytest.mark.parametrize(
+    ("faces", "whole"), [(False, False), (False, True), (True, True)], ids=["peers", "elements", "faces"]
+)
+def test_several_are_cut_in_every_world_to_the_same_bits(faces: bool, whole: bool) -> None:
     """Two blocks lie on each other; one hand tears a corner off the upper, which falls on the lower."""
     block = {"kind": "lattice", "shape": [4, 3, 3], "model": "cells", "stiffness": 80, "damping": 0.1, "mass": 0.05}
     tear = {"path": [[0, 0, 0, 0], [0.15, 0.06, 0, 0.02]], "stiffness": 400, "damping": 1}
@@ -81,16 +83,18 @@ def test_several_are_cut_in_every_world_to_the_same_bits(faces: bool) -> None:
         steps={"duration": 0.2, "rate": 500},
     )
     ready = prepare(scenario)
-    batch, peers = run_batch(ready), run_peers(ready)
-    assert np.array_equal(batch.position, np.stack([places[-1] for places in peers.position]))
+    peers = run_peers(ready)
     assert max(abs(report.residual) for reports in peers.reports for report in reports) <= 1e-14
     cut = [{e for report in reports for e in report.cut_elements} for reports in peers.reports]
     assert cut[0]
     assert all(report.cut >= 0.0 for reports in peers.reports for report in reports)
-    assert batch.cuts is not None
-    assert [set(np.flatnonzero(marks[1])) for marks in batch.cuts] == cut
     count = ready.body.cut_count
     assert min(cut[0] | cut[1]) >= count // 2  # of the upper block
+    if whole:  # its engine is compiled for nothing else, see test_cutting.py for one body
+        batch = run_batch(ready)
+        assert np.array_equal(batch.position, np.stack([places[-1] for places in peers.position]))
+        assert batch.cuts is not None
+        assert [set(np.flatnonzero(marks[1])) for marks in batch.cuts] == cut
 
 
 @pytest.mark.parametrize("law", ["spring", "paid"])

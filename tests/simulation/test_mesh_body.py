@@ -29,6 +29,7 @@ ground = {plane = {point = [0, 0, 0], normal = [1, 0, 0]}}
 ground_stiffness = 2e3
 rayleigh_mass = 4.0
 rayleigh_stiffness = 1e-3
+frame = "fixed"
 [steps]
 duration = 1.0
 period = 0.002

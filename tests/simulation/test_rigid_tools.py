@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.laws.scenes import AS_LAW
 
 from cotouch.errors import CotouchError
 from cotouch.scenario import Scenario
@@ -37,7 +38,7 @@ def write_box(path: Path, size: tuple[float, float, float]) -> None:
     path.write_text("\n".join(lines), encoding="utf-8")
 
 
-@pytest.mark.parametrize("law", ["paid", "spring"])
+@pytest.mark.parametrize("law", ["paid", AS_LAW.name])
 def test_both_engines_move_it_alike_and_balance_it(law: str) -> None:
     """Ann turns the die by friction; Ben's copy of it follows, without her bar."""
     path = [[0, 0, 0, 0, 0, 0, 0], [0.05, 0, 0, -0.01, 0, 0, 0], [0.15, 0, 0, -0.01, 0, 0, 0.5]]
