@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 import xarray as xr
 from tests.cli.commands import FIVE_USERS, Done, cotouch, here
-from tests.files.places import PYTHON, left, needs_mounts, on_a_small_disk
+from tests.files.places import PYTHON, each_on_a_small_disk, left, needs_mounts, on_a_small_disk
 
 PAIR = """
 [network]
@@ -33,6 +33,9 @@ ROD = "\n".join(
         *("3 2 3 7", "3 2 7 6", "3 0 2 6", "3 0 6 4", "3 1 5 7", "3 1 7 3"),
     ]
 )
+
+
+OUTPUTS = (("--out", "x.nc"), ("--animation", "x.html"), ("--figures", ""))
 
 
 @pytest.fixture
@@ -84,11 +87,12 @@ def test_a_full_disk_and_smaller_outputs(tmp_path: Path, pair: Path) -> None:
 @needs_mounts
 def test_a_disk_that_cannot_be_written_is_found_out_before_the_work(tmp_path: Path, pair: Path) -> None:
     disk = tmp_path / "disk"
-    for option, name in (("--out", "x.nc"), ("--animation", "x.html"), ("--figures", "")):
-        done = on_a_small_disk(disk, "size=1M,ro", "simulate", pair, option, disk / name, old=name)
+    commands = [("simulate", pair, option, disk / name) for option, name in OUTPUTS] + [("reproduce", "--out", disk)]
+    ran = each_on_a_small_disk(disk, "size=1M,ro", *commands, old="x.nc")
+    for done in ran:
         one_sentence(done, "Read-only file system")
-        assert left(done) == ([f"{name} b'what was there before'"] if name else [])
-    one_sentence(on_a_small_disk(disk, "size=1M,ro", "reproduce", "--out", disk), "Read-only file system")
+        assert left(done) == ["x.nc b'what was there before'"]
+    assert len(ran) == len(commands)
 
 
 def test_a_limit_on_files(tmp_path: Path, pair: Path) -> None:
