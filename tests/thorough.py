@@ -44,7 +44,12 @@ QUICK: Mapping[str, tuple[str, ...]] = {
         "11",
         "22",
     ),
-    "haptics/test_processes.py::test_the_simulated_device_is_felt_and_closed": (
+    "haptics/test_processes.py::test_a_guardian_that_is_killed_leaves_no_force": (),
+    "haptics/test_processes.py::test_a_limit_above_the_devices_own_is_a_sentence": (),
+    "haptics/test_processes.py::test_a_peer_that_is_killed_leaves_no_force_and_no_process": (),
+    "haptics/test_processes.py::test_a_servo_that_is_killed_leaves_no_force": (),
+    "haptics/test_processes.py::test_a_servo_that_stands_still_leaves_no_force": (),
+    "haptics/test_processes.py::test_the_simulated_device_is_felt_outlasts_a_servo_that_stood_still_and_is_closed": (
         "simulated:touch,viscous=4,coupling=virtual,friction=4,coulomb=0.2",
     ),
     "laboratory/test_replicas.py::test_without_delay_and_with_ever_shorter_steps_replicas_are_the_ideal": (
