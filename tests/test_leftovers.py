@@ -81,7 +81,8 @@ class Interrupted:
     def ready(self) -> tuple[int, Path]:
         """Once all of it runs: the process that runs the test, and its folder in memory."""
         ready = self.folder / "ready"
-        until(lambda: ready.exists() and ready.stat().st_size, (self.folder / "said").read_text)
+        until(lambda: (ready.exists() and ready.stat().st_size) or self.process.poll() is not None, str)
+        assert ready.exists(), (self.folder / "said").read_text()
         pid, folder = ready.read_text().split()
         assert Path(folder).is_dir()
         return int(pid), Path(folder)

@@ -30,7 +30,9 @@ QUICK: Mapping[str, tuple[str, ...]] = {
     "cli/test_outputs.py::TestStandardOutput::test_nobody_reads_on": ("command1",),
     "cli/test_outputs.py::test_a_full_disk": ("x.nc---out",),
     "cli/test_outputs.py::test_a_full_disk_and_smaller_outputs": (),
-    "cli/test_outputs.py::test_a_pipe_in_place_of_a_file_is_a_sentence": ("command0",),
+    "cli/test_outputs.py::test_a_limit_on_files": (),
+    "cli/test_outputs.py::test_a_pipe_in_place_of_a_file_is_a_sentence": ("command1",),
+    "cli/test_plan_command.py::test_nothing_is_said_of_a_run_where_the_slowest_modes_are_alike": (),
     "cli/test_plan_command.py::test_the_knee_figure_shows_what_the_plan_says": (),
     "cli/test_session_commands.py::test_demo": ("options0",),
     "device/test_modulation.py::test_two_ports_with_a_proxy_are_passive": (
@@ -46,13 +48,15 @@ QUICK: Mapping[str, tuple[str, ...]] = {
     "drivers/test_processes.py::test_peer_and_servo_that_are_killed_at_once_leave_no_force": ("force_dimension",),
     "haptics/test_ends.py::test_two_ports_are_passive_whatever_the_rates_and_boards": (
         "3",
-        "6",
         "11",
-        "18",
         "22",
-        "23",
     ),
-    "haptics/test_processes.py::test_the_simulated_device_is_felt_and_closed": (
+    "haptics/test_processes.py::test_a_guardian_that_is_killed_leaves_no_force": (),
+    "haptics/test_processes.py::test_a_limit_above_the_devices_own_is_a_sentence": (),
+    "haptics/test_processes.py::test_a_peer_that_is_killed_leaves_no_force_and_no_process": (),
+    "haptics/test_processes.py::test_a_servo_that_is_killed_leaves_no_force": (),
+    "haptics/test_processes.py::test_a_servo_that_stands_still_leaves_no_force": (),
+    "haptics/test_processes.py::test_the_simulated_device_is_felt_outlasts_a_servo_that_stood_still_and_is_closed": (
         "simulated:touch,viscous=4,coupling=virtual,friction=4,coulomb=0.2",
     ),
     "laboratory/test_replicas.py::test_without_delay_and_with_ever_shorter_steps_replicas_are_the_ideal": (
@@ -141,6 +145,7 @@ QUICK: Mapping[str, tuple[str, ...]] = {
     "session/test_planner.py::test_the_one_at_the_end_of_a_slow_line_is_joined_where_it_is_nearest": ("drag",),
     "session/test_recording.py::test_a_session_that_touches_by_a_law_keeps_an_exact_ledger": (),
     "session/test_recovery.py::test_a_run_without_a_fault_is_the_same_every_time": (),
+    "session/test_recovery.py::test_with_a_law_that_pays_all_is_as_if_nothing_had_been": ("outage",),
     "session/test_recovery.py::test_all_is_as_if_nothing_had_been": ("all at once",),
     "session/test_replan.py::test_who_moved_away_is_joined_where_it_is_now": ("false",),
     "session/test_short_faults.py::test_a_process_that_stood_still_and_other_addresses": (),

@@ -59,7 +59,7 @@ def test_simulate_prints_one_json_object_and_nothing_else() -> None:
 
 
 def test_simulate_writes_result_and_figures(small: Path, tmp_path: Path) -> None:
-    done = cotouch("simulate", small, "--out", tmp_path / "run.nc", "--figures", tmp_path / "figures")
+    done = here("simulate", small, "--out", tmp_path / "run.nc", "--figures", tmp_path / "figures")
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "run.nc").read_bytes()[1:4] == b"HDF"
     names = {path.stem for path in (tmp_path / "figures").iterdir()}
@@ -85,7 +85,7 @@ def test_simulate_says_what_tools_felt_and_writes_an_animation(tmp_path: Path) -
 
 
 def test_certify_designs_and_checks() -> None:
-    done = cotouch("certify", FIVE_USERS, "--json")
+    done = here("certify", FIVE_USERS, "--json")
     assert done.returncode == 0, done.stderr
     found = {(entry["basis"], entry["method"]): entry for entry in json.loads(done.stdout)["certificates"]}
     rule = found["index", "rule"]
@@ -125,7 +125,7 @@ def test_what_the_user_got_wrong_is_said_with_exit_code_2(arguments: tuple[str |
 
 def test_a_bad_scenario_is_one_sentence(small: Path) -> None:
     small.write_text(SMALL + "\n[steps2]\n")
-    done = cotouch("simulate", small)
+    done = here("simulate", small)
     assert done.returncode == 2
     assert done.stderr.count("\n") == 1
     assert "steps2" in done.stderr
@@ -141,7 +141,7 @@ def shapes(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_body_says_what_it_understood(shapes: Path, tmp_path: Path) -> None:
-    done = cotouch("body", shapes / "gear.stl", "--unit", "mm", "--ground", "z-", "--figures", tmp_path / "new")
+    done = here("body", shapes / "gear.stl", "--unit", "mm", "--ground", "z-", "--figures", tmp_path / "new")
     assert done.returncode == 0, done.stderr
     for word in ("gear.stl", "0.07678 × 0.07678 × 0.012 m", "0.03951 kg", "ground at", "Hz", "body.png"):
         assert word in done.stdout

@@ -94,8 +94,7 @@ def test_a_recording_that_cannot_be_is_refused_before_anything_else(tmp_path: Pa
         os.mkfifo(path)
     else:
         path = tmp_path / "no" / "a.mcap"
-    command = [sys.executable, "-m", "cotouch", "join", invitation(), "--headless", "--record", str(path)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    done = here("join", invitation(), "--headless", "--record", str(path))
     assert done.returncode == 2
     assert done.stderr.startswith("cotouch: ")
     assert done.stderr.count("\n") == 1

@@ -1,5 +1,6 @@
 """What cannot be written is one sentence and exit code 2, and what was there before still is."""
 
+import multiprocessing
 import os
 import subprocess
 import sys
@@ -8,7 +9,7 @@ from pathlib import Path
 import pytest
 import xarray as xr
 from tests.cli.commands import FIVE_USERS, Done, cotouch, here
-from tests.files.places import PYTHON, left, needs_mounts, on_a_small_disk
+from tests.files.places import PYTHON, each_on_a_small_disk, left, needs_mounts, on_a_small_disk
 
 PAIR = """
 [network]
@@ -33,6 +34,9 @@ ROD = "\n".join(
         *("3 2 3 7", "3 2 7 6", "3 0 2 6", "3 0 6 4", "3 1 5 7", "3 1 7 3"),
     ]
 )
+
+
+OUTPUTS = (("--out", "x.nc"), ("--animation", "x.html"), ("--figures", ""))
 
 
 @pytest.fixture
@@ -84,11 +88,12 @@ def test_a_full_disk_and_smaller_outputs(tmp_path: Path, pair: Path) -> None:
 @needs_mounts
 def test_a_disk_that_cannot_be_written_is_found_out_before_the_work(tmp_path: Path, pair: Path) -> None:
     disk = tmp_path / "disk"
-    for option, name in (("--out", "x.nc"), ("--animation", "x.html"), ("--figures", "")):
-        done = on_a_small_disk(disk, "size=1M,ro", "simulate", pair, option, disk / name, old=name)
+    commands = [("simulate", pair, option, disk / name) for option, name in OUTPUTS] + [("reproduce", "--out", disk)]
+    ran = each_on_a_small_disk(disk, "size=1M,ro", *commands, old="x.nc")
+    for done in ran:
         one_sentence(done, "Read-only file system")
-        assert left(done) == ([f"{name} b'what was there before'"] if name else [])
-    one_sentence(on_a_small_disk(disk, "size=1M,ro", "reproduce", "--out", disk), "Read-only file system")
+        assert left(done) == ["x.nc b'what was there before'"]
+    assert len(ran) == len(commands)
 
 
 def test_a_limit_on_files(tmp_path: Path, pair: Path) -> None:
@@ -107,12 +112,21 @@ def test_a_limit_on_files(tmp_path: Path, pair: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["pair.toml", "x.nc"]
 
 
+def ended(*command: str | Path) -> None:
+    """Ends this process as the command would."""
+    os._exit(here(*command).returncode)
+
+
 def test_two_with_the_same_file_both_succeed(tmp_path: Path, pair: Path) -> None:
-    both = [
-        subprocess.Popen([*PYTHON, "simulate", pair, "--out", tmp_path / "x.nc", "--json"], stdout=subprocess.DEVNULL)
-        for _ in range(2)
-    ]
-    assert [process.wait(300) for process in both] == [0, 0]
+    # What they need is loaded already.
+    fork = multiprocessing.get_context("fork")
+    command = ("simulate", pair, "--out", tmp_path / "x.nc", "--json")
+    both = [fork.Process(target=ended, args=command) for _ in range(2)]
+    for process in both:
+        process.start()
+    for process in both:
+        process.join(300)
+    assert [process.exitcode for process in both] == [0, 0]
     assert sorted(path.name for path in tmp_path.iterdir()) == ["pair.toml", "x.nc"]
     with xr.open_dataset(tmp_path / "x.nc", engine="h5netcdf") as run:
         assert run.sizes["user"] == 2

@@ -53,7 +53,7 @@ def test_export(files: list[Path], tmp_path: Path) -> None:
 
 
 def test_replay_without_a_terminal_prints_lines(files: list[Path]) -> None:
-    done = cotouch("replay", files[0], "--speed", "1000", "--from", "0.5")
+    done = here("replay", files[0], "--speed", "1000", "--from", "0.5")
     assert done.returncode == 0, done.stderr
     (line,) = done.stdout.splitlines()
     assert line.split()[:4] == ["0.500", "s", "250", "Hz"]
@@ -61,7 +61,7 @@ def test_replay_without_a_terminal_prints_lines(files: list[Path]) -> None:
 
 
 def test_replay_sums_up(files: list[Path]) -> None:
-    done = cotouch("replay", files[0], "--json")
+    done = here("replay", files[0], "--json")
     summary = json.loads(done.stdout)
     assert (summary["user"], summary["name"], summary["steps"], summary["whole"]) == (1, "Ann", 250, True)
     assert summary["T_s"]["mean"] == pytest.approx(0.004)

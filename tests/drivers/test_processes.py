@@ -5,40 +5,24 @@ nothing at all but being opened anew.
 """
 
 import contextlib
-import json
+import multiprocessing
 import os
 import signal
-import subprocess
-import sys
 import time
 from collections.abc import Callable, Generator
+from multiprocessing.connection import Connection
 from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.conftest import ROOT
 from tests.drivers.standin import Board, Fault, Service
 from tests.stalls import Stalls
 
 from cotouch.haptics import Cause, DeviceChoice, ProxyEnd, ServoLink
 from cotouch.haptics._mailboxes import ReportReader
-
-# A peer of its own; it says who is around the device, then pulls, with energy that never ends.
-PEER = """
-import json, sys, time
-from cotouch.haptics import Cause, DeviceChoice, ServoLink
 from cotouch.mechanics import EnergyMessage
-link = ServoLink(DeviceChoice(sys.argv[1], json.loads(sys.argv[2])), real_time=None)
-print(link.servo, link.guardian, link._folder.path, flush=True)
-given = 1.0
-while True:
-    link.read()
-    given += 1e-3
-    link.order((0.03, 0.0, 0.0), EnergyMessage(given=given))
-    if link.causes & Cause.FAST:
-        link.rearm()
-    time.sleep(0.002)
-"""
+
+FORK = multiprocessing.get_context("fork")
 KINDS = ["haply", "force_dimension", "touch"]
 Setting = tuple[DeviceChoice, Board]
 
@@ -124,19 +108,38 @@ def test_a_guardian_that_is_stopped_or_killed_leaves_no_force(held: Held, stalls
     held.until(lambda: pushes(held.board), "force again")
     held.gone(signal.SIGKILL, stalls, at=guardian)
     held.until(lambda: any("watches over the device is gone" in text for text in held.said), "told")
+    held.until(lambda: not _runs(held.link.servo), "the servo ends")
+
+
+def peer(choice: DeviceChoice, tell: Connection) -> None:
+    """Of a process of its own; it says who is around the device, then pulls, with energy that never ends."""
+    link = ServoLink(choice, real_time=None)
+    tell.send((link.servo, link.guardian, link._folder.path))
+    given = 1.0
+    while True:
+        link.read()
+        given += 1e-3
+        link.order((0.03, 0.0, 0.0), EnergyMessage(given=given))
+        if link.causes & Cause.FAST:
+            link.rearm()
+        time.sleep(0.002)
 
 
 class Around:
     """A peer in a process of its own, and what is around its device."""
 
     def __init__(self, choice: DeviceChoice, board: Board) -> None:
-        command = [sys.executable, "-c", PEER, choice.name, json.dumps(dict(choice.options))]
         self.board = board
-        self.peer = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=ROOT)
-        assert self.peer.stdout is not None
-        servo, guardian, folder = self.peer.stdout.readline().split()
-        self.servo, self.guardian = int(servo), int(guardian)
-        self.reports = ReportReader(Path(folder))
+        told, tell = FORK.Pipe(duplex=False)
+        with told:
+            with tell:
+                self.peer = FORK.Process(target=peer, args=(choice, tell))  # what it needs is loaded already
+                self.peer.start()
+            assert self.peer.pid is not None
+            self.pid: int = self.peer.pid
+            self.servo, self.guardian, folder = told.recv()
+        self.folder: Path = folder
+        self.reports = ReportReader(folder)
         self.reports.read()
         self.until(lambda: pushes(board), "force")
 
@@ -156,9 +159,7 @@ class Around:
 
     def close(self) -> None:
         self.peer.kill()
-        self.peer.wait()
-        assert self.peer.stdout is not None
-        self.peer.stdout.close()
+        self.peer.join()
         self.reports.close()
         with contextlib.suppress(OSError):
             os.kill(self.guardian, signal.SIGCONT)  # in case a test failed
@@ -173,30 +174,31 @@ def around(setting: Setting) -> Generator[Around]:
 
 
 def test_a_peer_that_is_killed_leaves_no_force_and_no_process(around: Around, stalls: Stalls):
-    around.gone(signal.SIGKILL, stalls, at=[around.peer.pid])
+    around.gone(signal.SIGKILL, stalls, at=[around.pid])
     around.until(lambda: not _runs(around.servo) and not _runs(around.guardian), "no process")
+    assert not around.folder.exists()
 
 
 @pytest.mark.parametrize("setting", ["haply"], indirect=True)
 def test_a_servo_sees_by_itself_that_its_peer_is_dead(around: Around, stalls: Stalls):
     """Its guardian, which would see it as well, stands still; the pipe says it, before silence does."""
     os.kill(around.guardian, signal.SIGSTOP)
-    around.gone(signal.SIGKILL, stalls, at=[around.peer.pid])
+    around.gone(signal.SIGKILL, stalls, at=[around.pid])
     around.until(lambda: (report := around.reports.read()) is not None and report.causes & Cause.PEER, "the reason")
     os.kill(around.guardian, signal.SIGCONT)
     around.until(lambda: not _runs(around.servo) and not _runs(around.guardian), "no process")
 
 
 def test_peer_and_servo_that_are_killed_at_once_leave_no_force(around: Around, stalls: Stalls):
-    around.gone(signal.SIGKILL, stalls, at=[around.peer.pid, around.servo])
+    around.gone(signal.SIGKILL, stalls, at=[around.pid, around.servo])
 
 
 def test_a_peer_that_is_stopped_leaves_no_force_and_with_its_servo_neither(around: Around, stalls: Stalls):
     """First the peer alone, which comes back; then both at once; then the peer dies while its servo hangs."""
-    around.gone(signal.SIGSTOP, stalls, at=[around.peer.pid])
-    os.kill(around.peer.pid, signal.SIGCONT)
+    around.gone(signal.SIGSTOP, stalls, at=[around.pid])
+    os.kill(around.pid, signal.SIGCONT)
     around.until(lambda: pushes(around.board), "force again")
-    around.gone(signal.SIGSTOP, stalls, at=[around.peer.pid, around.servo])
+    around.gone(signal.SIGSTOP, stalls, at=[around.pid, around.servo])
     around.peer.kill()
     around.until(lambda: not _runs(around.servo) and not _runs(around.guardian), "no process")
 
@@ -205,7 +207,7 @@ def test_a_peer_that_is_stopped_leaves_no_force_and_with_its_servo_neither(aroun
 def test_a_peer_that_dies_with_its_servo_stopped_leaves_no_force(around: Around, stalls: Stalls):
     """The servo would see it, but stands still: the guardian does not wait until it has ended by itself."""
     os.kill(around.servo, signal.SIGSTOP)
-    around.gone(signal.SIGKILL, stalls, at=[around.peer.pid])
+    around.gone(signal.SIGKILL, stalls, at=[around.pid])
 
 
 @pytest.mark.parametrize("setting", ["haply"], indirect=True)

@@ -1,10 +1,14 @@
 """Places where writing fails, in a process of its own: a disk that is full or read-only, a limit on files."""
 
+import json
+import os
 import subprocess
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
+from tests.conftest import IMPORTS
 
 Done = subprocess.CompletedProcess[str]
 
@@ -26,6 +30,14 @@ for name in sorted(os.listdir(folder)):
 sys.exit(done.returncode if done.returncode >= 0 else 200 - done.returncode)
 """
 PYTHON = (sys.executable, "-c", "from cotouch.__main__ import run; run()")
+# Several commands, one after the other in one process: their arguments are given one a line.
+_EACH = """
+import json, sys
+from tests.cli.commands import here
+for line in sys.argv[1:]:
+    done = here(*line.splitlines())
+    print("DONE", json.dumps([done.returncode, done.stdout, done.stderr]))
+"""
 
 
 def on_a_small_disk(folder: Path, options: str, *command: str | Path, old: str = "") -> Done:
@@ -37,6 +49,17 @@ def on_a_small_disk(folder: Path, options: str, *command: str | Path, old: str =
         timeout=300,
         check=False,
     )
+
+
+def each_on_a_small_disk(folder: Path, options: str, *commands: Sequence[str | Path], old: str = "") -> list[Done]:
+    """The same for several commands, which spares what starting each costs; what is left is in the last one's."""
+    program = [sys.executable, "-c", _EACH, *("\n".join(map(str, command)) for command in commands)]
+    inside = ["unshare", "--mount", sys.executable, "-c", _INSIDE, folder, options, old, *program]
+    env = {**os.environ, "PYTHONPATH": IMPORTS}
+    ran = subprocess.run(inside, capture_output=True, text=True, timeout=300, check=True, env=env)
+    lines = ran.stdout.splitlines()
+    told = [json.loads(line.removeprefix("DONE ")) for line in lines if line.startswith("DONE ")]
+    return [Done(command, code, ran.stdout, err) for command, (code, _, err) in zip(commands, told, strict=True)]
 
 
 def left(done: Done) -> list[str]:

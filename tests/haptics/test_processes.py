@@ -1,14 +1,17 @@
 """Peer, guardian and servo as processes around a device that holds its last force for ever; each dies in turn."""
 
-import json
+import ctypes
 import math
+import multiprocessing
 import os
 import re
+import resource
 import signal
 import subprocess
 import sys
 import time
 from collections.abc import Callable, Generator
+from multiprocessing.connection import Connection
 from pathlib import Path
 
 import pytest
@@ -33,21 +36,22 @@ while True:
     time.sleep(0.002)
 """
 
-UNPRIVILEGED = """
-import ctypes, json, resource, sys, time
-sys.path.insert(0, sys.argv[1])
-ctypes.CDLL(None).prctl(24, 23, 0, 0, 0)  # nobody started from here may set priorities
-resource.setrlimit(resource.RLIMIT_RTPRIO, (0, 0))
-from cotouch.haptics import DeviceChoice, ServoLink
-link = ServoLink(DeviceChoice("tests.haptics.plant/PLANT", {"folder": sys.argv[2]}))
-said, end = [], time.monotonic() + 20.0
-while "guardian" not in link.process and time.monotonic() < end:
+
+FORK = multiprocessing.get_context("fork")
+
+
+def unprivileged(plant: Path, tell: Connection) -> None:
+    """Says what a peer is told that gives up the right to priorities."""
+    ctypes.CDLL(None).prctl(24, 23, 0, 0, 0)  # nobody started from here may set them
+    resource.setrlimit(resource.RLIMIT_RTPRIO, (0, 0))
+    link = ServoLink(DeviceChoice("tests.haptics.plant/PLANT", {"folder": str(plant)}))
+    said, end = list[str](), time.monotonic() + 20.0
+    while "guardian" not in link.process and time.monotonic() < end:
+        said += link.warning_log()
+        time.sleep(0.005)
     said += link.warning_log()
-    time.sleep(0.005)
-said += link.warning_log()
-print(json.dumps([said, link.process]))
-link.close()
-"""
+    tell.send((said, link.process))
+    link.close()
 
 
 @pytest.fixture
@@ -87,6 +91,21 @@ def held(plant: Plant, request: pytest.FixtureRequest) -> Generator[Held]:
         yield made
     finally:
         made.link.close()
+
+
+@pytest.fixture(scope="module")
+def lasting(tmp_path_factory: pytest.TempPathFactory) -> Generator[tuple[Plant, Held]]:
+    """One for tests after which it is as before."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("PYTHONPATH", IMPORTS)
+        plant = Plant(tmp_path_factory.mktemp("plant"))
+        held = Held(plant, "PLANT")
+        try:
+            held.until(lambda: plant.force > 0.0, "force")
+            yield plant, held
+        finally:
+            held.link.close()
+            plant.close()
 
 
 @pytest.mark.parametrize("held", ["PLANT", "PLANT_ALONE"], indirect=True)
@@ -136,7 +155,8 @@ def test_a_peer_that_is_killed_leaves_no_force_and_no_process(plant: Plant, stal
     stalls.within(began, plant.gone_after(began))
 
 
-def test_a_peer_that_says_nothing_leaves_no_force_and_may_come_back(plant: Plant, held: Held, stalls: Stalls):
+def test_a_peer_that_says_nothing_leaves_no_force_and_may_come_back(lasting: tuple[Plant, Held], stalls: Stalls):
+    plant, held = lasting
     began = time.monotonic()
     held.until(lambda: held.link.causes & Cause.SILENT, "silent", orders=False)
     held.until(lambda: plant.force == 0.0, "no force", orders=False)
@@ -152,8 +172,9 @@ def test_a_peer_that_says_nothing_leaves_no_force_and_may_come_back(plant: Plant
     held.until(lambda: plant.force > 0.0, "force after it is re-armed")
 
 
-def test_a_servo_from_the_future_is_gone(plant: Plant, held: Held):
+def test_a_servo_from_the_future_is_gone(lasting: tuple[Plant, Held]):
     """A report dated ahead of the clock, or infinitely so, keeps no servo alive that says nothing more."""
+    _, held = lasting
     link = held.link
     for ahead in (10.0, math.inf, math.nan):
         held.until(lambda: link.report is not None and not link.gone, "it is heard")
@@ -166,9 +187,14 @@ def test_a_servo_from_the_future_is_gone(plant: Plant, held: Held):
 
 def test_a_refused_priority_is_said_once(plant: Plant):
     """By a peer that gives up the right to it, so that its servo and its guardian have none."""
-    command = [sys.executable, "-c", UNPRIVILEGED, ROOT, str(plant.folder)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True)
-    said, process = json.loads(done.stdout)
+    told, tell = FORK.Pipe(duplex=False)
+    with told:
+        with tell:
+            peer = FORK.Process(target=unprivileged, args=(plant.folder, tell))
+            peer.start()
+        said, process = told.recv()
+    peer.join(20.0)
+    assert peer.exitcode == 0
     assert process["real_time"] is None
     assert process["guardian"]["real_time"] is None
     assert len([text for text in said if "real-time priority was refused" in text and "ulimit -r" in text]) == 1
@@ -180,6 +206,9 @@ def test_a_device_that_cannot_be_opened_is_a_sentence(tmp_path: Path, monkeypatc
         ServoLink(DeviceChoice("tests.haptics.plant/PLANT", {"folder": str(tmp_path / "nowhere")}))
     with pytest.raises(DeviceError, match='device is "omega9"'):
         ServoLink(DeviceChoice("omega9"))
+
+
+def test_a_limit_above_the_devices_own_is_a_sentence():
     with pytest.raises(DeviceError, match="safety limit force is 9"):
         ServoLink(DeviceChoice("simulated", {"variant": "phantom"}), limits={"force": 9.0})
 
@@ -187,7 +216,8 @@ def test_a_device_that_cannot_be_opened_is_a_sentence(tmp_path: Path, monkeypatc
 @pytest.mark.parametrize(
     "text", ["simulated:cartesian", "simulated:touch,viscous=4,coupling=virtual,friction=4,coulomb=0.2"]
 )
-def test_the_simulated_device_is_felt_and_closed(text: str):
+def test_the_simulated_device_is_felt_outlasts_a_servo_that_stood_still_and_is_closed(text: str):
+    """A busy machine keeps a servo waiting now and then; nobody is moved by a simulated device meanwhile."""
     link = ServoLink(DeviceChoice.read(text), real_time=None)
     end, first = ProxyEnd(link.options), None
     assert link.options.law == ("virtual" if "virtual" in text else "pspm")
@@ -203,17 +233,6 @@ def test_the_simulated_device_is_felt_and_closed(text: str):
                 felt = max(abs(value) for value in report.force)
             time.sleep(0.002)
         assert felt >= 0.5
-    finally:
-        link.close()
-    assert link.statistics["steps"] > 10
-    assert not _runs(link.servo)
-    assert not _runs(link.guardian)
-
-
-def test_a_simulated_device_outlasts_a_servo_that_stood_still():
-    """A busy machine keeps a servo waiting now and then; nobody is moved by a simulated device meanwhile."""
-    link = ServoLink(DeviceChoice("simulated", {"variant": "cartesian"}), real_time=None)
-    try:
         for stand in (0.0, 0.3):
             os.kill(link.servo, signal.SIGSTOP)
             time.sleep(stand)
@@ -223,6 +242,9 @@ def test_a_simulated_device_outlasts_a_servo_that_stood_still():
         assert not any("is gone" in text for text in link.warning_log())
     finally:
         link.close()
+    assert link.statistics["steps"] > 10
+    assert not _runs(link.servo)
+    assert not _runs(link.guardian)
 
 
 def _runs(pid: int) -> bool:

@@ -1,7 +1,7 @@
 """A function in a process of its own."""
 
 import os
-import subprocess
+import signal
 import sys
 import time
 from collections.abc import Callable
@@ -13,15 +13,6 @@ from cotouch.errors import SessionError
 from cotouch.observers import ChildCall
 
 _PATIENCE = 60.0
-
-PARENT = """
-import os, sys, time
-from cotouch.observers._child import ChildCall
-child = ChildCall(time.sleep, 600)
-print(child.pid, flush=True)
-sys.stdin.readline()
-os._exit(0)
-"""
 
 
 def becomes(true: Callable[[], bool]) -> bool:
@@ -61,9 +52,18 @@ def test_it_is_ended_at_once() -> None:
 
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 def test_it_does_not_outlive_who_asked() -> None:
-    parent = subprocess.Popen([sys.executable, "-c", PARENT], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-    assert parent.stdout is not None
-    pid = int(parent.stdout.readline())
-    os.kill(pid, 0)
-    parent.communicate(b"\n")
+    told, tells = os.pipe()
+    parent = os.fork()
+    if parent == 0:
+        try:
+            os.write(tells, str(ChildCall(time.sleep, 600).pid).encode())
+            signal.pause()
+        finally:
+            os._exit(1)
+    pid = int(os.read(told, 20))
+    os.close(told)
+    os.close(tells)
+    assert alive(pid)
+    os.kill(parent, signal.SIGKILL)
+    os.waitpid(parent, 0)
     assert becomes(lambda: not alive(pid))

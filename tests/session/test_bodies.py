@@ -29,7 +29,7 @@ gravity = [0, 0, -9.81]
 friction = 0.5
 damping = 20.0
 [steps]
-rate = 500
+rate = 250
 [synchronisation]
 law = "spring"
 [[hands]]

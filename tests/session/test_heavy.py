@@ -82,7 +82,7 @@ def test_rests_without_creep_whoever_comes_and_goes(law: str, near: float, creep
 @pytest.fixture(scope="module")
 def lifted(tmp_path_factory: pytest.TempPathFactory) -> World:
     """Ann and Ben lift it, Cleo comes late and leaves while it hangs between them; then they go on holding."""
-    world = World(session(hands=LIFT), folder=tmp_path_factory.mktemp("lifted"), tick=2e-3)
+    world = World(session(hands=LIFT, rate=250), folder=tmp_path_factory.mktemp("lifted"), tick=2e-3)
     ann, _ = (world.join(name) for name in ("Ann", "Ben"))
     world.until(lambda: ann.member.replica is not None and ann.copy.peer is not None and low(ann) > 0.02, 12.0)
     cleo = world.join("Cleo", moves=False)

@@ -1,4 +1,5 @@
 import time
+from collections.abc import Callable
 
 import pytest
 
@@ -23,6 +24,26 @@ def planned(text: str, slots: list[int], paths: dict[tuple[int, int], float]) ->
         planner.close()
 
 
+class Here:
+    """Works out in this process what a process of its own would, which loads for seconds."""
+
+    done = True
+
+    def __init__(self, function: Callable[..., object], *args: object) -> None:
+        self._found = function(*args)
+
+    def result(self) -> object:
+        return self._found
+
+    def kill(self) -> None:
+        pass
+
+
+@pytest.fixture
+def here(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("cotouch.session._planner.ChildCall", Here)
+
+
 @pytest.mark.parametrize("objective", ["damping", "drag", "feel"])
 def test_the_one_at_the_end_of_a_slow_line_is_joined_where_it_is_nearest(objective: str) -> None:
     text = f'[session]\nusers = 4\nlinks = "plan"\nlink_count = 3\nobjective = "{objective}"\n'
@@ -31,11 +52,13 @@ def test_the_one_at_the_end_of_a_slow_line_is_joined_where_it_is_nearest(objecti
     assert len(links) == 3
 
 
+@pytest.mark.usefixtures("here")
 def test_only_those_who_are_there_are_linked() -> None:
     links = planned('[session]\nusers = 4\nlinks = "plan"\nobjective = "damping"\n', [1, 3], SLOW)
     assert links == [(1, 3)]
 
 
+@pytest.mark.usefixtures("here")
 def test_springs_that_cannot_join_all_keep_what_is_given() -> None:
     text = """
 [session]

@@ -13,7 +13,7 @@ from cotouch.recording import ADVANCED, EXCHANGE, GUARDS, Recording, audit, read
 from cotouch.samples import PathLaw
 
 SESSION = chain(
-    rate=250, path="[[0, 0], [1, 0.05], [3, 0.05], [5, -0.05], [8, -0.05], [9, 0.05], [13, 0.05], [14, -0.05]]"
+    rate=125, path="[[0, 0], [1, 0.05], [3, 0.05], [5, -0.05], [8, -0.05], [9, 0.05], [13, 0.05], [14, -0.05]]"
 )
 
 

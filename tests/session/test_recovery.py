@@ -9,7 +9,7 @@ from tests.session.world import Person, World
 
 from cotouch.samples import PathLaw
 
-DELAY, RATE = 0.03, 200.0
+DELAY, RATE = 0.03, 100.0
 WINDOW = 2.0
 # One hand, which goes back and forth, and rests in between.
 CYCLE, REACH = 3.0, 0.1

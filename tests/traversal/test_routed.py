@@ -24,7 +24,7 @@ from cotouch.traversal import (
 )
 from cotouch.traversal._probe import MEMBER_BYTES, PAIR_BYTES, ask
 
-T = 0.002
+T = 0.004
 HOST = Address("203.0.113.1", 7000)
 
 
@@ -180,7 +180,7 @@ def test_states_of_many_chunks_are_relayed_less_often():
 
 def test_the_rate_rises_again_on_the_direct_way():
     world = World(None, None).run(5.0, PathState.DIRECT)
-    world.run(10.0)
+    world.run(16.0)
     assert [member.plane.links[1 - user].rate.rate for user, member in enumerate(world.pair)] == [1000.0] * 2
 
 
