@@ -78,7 +78,7 @@ def _numbers(kind: Any, path: tuple[int, ...] = ()) -> Iterator[tuple[Any, tuple
 def _places(context: Any, kind: ByAddress) -> list[int]:
     """Where each field begins, in words, and where the last one ends."""
     ends = [0]
-    for field in kind.types:
+    for field in list[Any](kind):
         ends.append(ends[-1] + sum(1 for _ in _numbers(context.get_value_type(field))))
     return ends
 
@@ -91,7 +91,8 @@ def _place(builder: Any, memory: Any, word: int, kind: Any) -> Any:
 @imputils.lower_getattr_generic(ByAddress)
 def _field(context: Any, builder: Any, kind: Any, memory: Any, name: str) -> Any:
     index, fields = kind.fields.index(name), list[Any](kind)
-    field, word = context.get_value_type(fields[index]), _places(context, kind)[index]
+    field: Any = context.get_value_type(fields[index])
+    word = _places(context, kind)[index]
     value = ir.Constant(field, ir.Undefined)
     for offset, (number, path) in enumerate(_numbers(field)):
         read = builder.load(_place(builder, memory, word + offset, number))
