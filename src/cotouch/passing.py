@@ -90,9 +90,10 @@ def _place(builder: Any, memory: Any, word: int, kind: Any) -> Any:
 
 @imputils.lower_getattr_generic(ByAddress)
 def _field(context: Any, builder: Any, kind: Any, memory: Any, name: str) -> Any:
-    index, fields = kind.fields.index(name), list[Any](kind)
+    index: int = kind.fields.index(name)
+    fields, places = list[Any](kind), _places(context, kind)
     field: Any = context.get_value_type(fields[index])
-    word = _places(context, kind)[index]
+    word = places[index]
     value = ir.Constant(field, ir.Undefined)
     for offset, (number, path) in enumerate(_numbers(field)):
         read = builder.load(_place(builder, memory, word + offset, number))
