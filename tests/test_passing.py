@@ -124,8 +124,8 @@ def test_it_comes_back_as_the_class_that_it_was():
 
 def test_a_kernel_takes_an_address_and_not_every_field():
     through(outer(), np.zeros(3))
-    compiled = next(iter(through.overloads.values()))
-    function = compiled.library.get_function(compiled.fndesc.llvm_func_name)
+    made: Any = next(iter(through.overloads.values()))._asdict()
+    function = made["library"].get_function(made["fndesc"].llvm_func_name)
     # The table is one; the rest are where the result and an error go, and what numba has of an array.
     assert len(list(function.arguments)) == 1 + 2 + 7
 
