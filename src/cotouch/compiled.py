@@ -79,7 +79,7 @@ def _imported(path: Path) -> frozenset[Path]:
 
 def _sources(path: Path) -> list[Path]:
     """Files whose content decides what the kernels of one are compiled to: those that it imports, and they in turn."""
-    found, new = {path, _PACKAGE / "compiled.py", _PACKAGE / "translation.py"}, [path]
+    found, new = {path, *(_PACKAGE / f"{name}.py" for name in ("compiled", "passing", "translation"))}, [path]
     while new:
         more = _imported(new.pop()) - found
         found |= more
