@@ -69,10 +69,8 @@ class Stack:
         self.state = State(a, b, c, d, np.zeros(self.model.memory))
         self.work, self.ledger, self.lost = self.model.workspace(0), np.zeros(LEDGER_COLUMNS), 0.0
         none, nothing = np.zeros(0), np.zeros((0, 4))
-        self.links = Links(0, 0, none, np.zeros(0, np.int32), np.zeros(0, np.int64), np.zeros((1, rows, 4)))
-        self.ports = Ports(
-            0, 0, np.zeros(0, np.int32), np.zeros((0, rows)), none, none, nothing, nothing, nothing, nothing
-        )
+        self.links = Links(none, np.zeros(0, np.int32), np.zeros(0, np.int64), np.zeros((1, rows, 4)))
+        self.ports = Ports(np.zeros(0, np.int32), np.zeros((0, rows)), none, none, nothing, nothing, nothing, nothing)
         assert self.model.force is not None
         closed_settle(self.model.operator, self.model.force, self.state, self.work, self.ledger, self.model.lanes)
 

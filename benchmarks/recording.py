@@ -34,8 +34,6 @@ def peer_of(body: Body) -> Peer:
         local_damping=np.array([4.0]),
         extra_damping=np.array([0.0]),
         ports=Ports(
-            first=0,
-            last=rows.size,
             row=rows,
             shape=ready.port_shapes(rows),
             stiffness=np.full(rows.size, 100.0),

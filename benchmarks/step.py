@@ -40,7 +40,7 @@ _MUJOCO_SIDES = (10, 17)
 def bytes_moved(c: Copy, iterations: float, columns: int) -> float:
     """Bytes that a step has to move; the formula is at the head of this module."""
     op = c.model.operator
-    n, entries, links = op.mass.size, op.column.size, c.links.last
+    n, entries, links = op.mass.size, op.column.size, c.links.slot.size
     field = 8 * columns * n
     each = 4 * field + 12 * entries + 12 * n
     once = (18 + 2 * links) * field + 12 * entries + 108 * n
@@ -100,7 +100,7 @@ class Reference:
         op, s, g, w = c.model.operator, c.state, c.ports, c.work
         assert op.entries.shape[0] == 1
         assert c.model.width == 4
-        sizes = [op.mass.size, c.links.last, g.last, c.links.last, CAP, c.lengths.size, op.split]
+        sizes = [op.mass.size, c.links.slot.size, g.row.size, c.links.slot.size, CAP, c.lengths.size, op.split]
         numbers = [op.copy_scale, op.mix[1, 0], op.mix[2, 0], c.local[0], TOLERANCE]
         arrays = [
             *(c.lengths, op.mass, op.damping, op.stiffness, op.pointer, op.column, op.entries),

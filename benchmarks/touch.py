@@ -103,8 +103,9 @@ def _run(
     bare: bool,
     lanes: Any,
 ) -> None:
+    middle = links.slot.shape[0]
     for k in range(lengths.shape[0]):
-        for t in range(own.last):
+        for t in range(own.mode.shape[0]):
             for a in range(3):
                 own.drive_start[t, a] = path[k, t, a]
                 own.drive_end[t, a] = path[k, t, a]
@@ -112,12 +113,12 @@ def _run(
         begin = now[0] * 1_000_000_000 + now[1]
         if bare:
             step(
-                op, state, links, ports, local, extra, lengths[k], links.last, work, ledger, link_work, TOLERANCE, CAP,
+                op, state, links, ports, local, extra, lengths[k], middle, work, ledger, link_work, TOLERANCE, CAP,
                 lanes,
             )  # fmt: skip
         else:
             contact_step(
-                contact, op, None, state, links, ports, surface, own, local, extra, lengths[k], links.last, work,
+                contact, op, None, state, links, ports, surface, own, local, extra, lengths[k], middle, work,
                 ledger, touch_ledger, link_work, TOLERANCE, CAP, lanes,
             )  # fmt: skip
         _clock(_MONOTONIC, now.ctypes.data)

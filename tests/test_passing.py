@@ -2,6 +2,7 @@
 # numba has no types
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
 
+from copy import deepcopy
 from typing import Any, NamedTuple
 
 import numba
@@ -11,7 +12,7 @@ from numba.core.errors import TypingError
 
 from cotouch.arrays import Float
 from cotouch.compiled import subroutine
-from cotouch.passing import by_address
+from cotouch.passing import Each, by_address
 
 
 class Pair(NamedTuple):
@@ -144,3 +145,81 @@ def test_a_subroutine_keeps_it_on_disk_and_finds_it_again():
     kept: Any = subroutine(plain)
     kept.compile((numba.typeof(outer()), numba.typeof(np.zeros(3))))
     assert kept.signatures
+
+
+@numba.njit(_nrt=False)
+def taken(each: Any, i: int, out: Float) -> Any:
+    inner = each[i]
+    for k in range(inner.factors.shape[0]):
+        out[k] = inner.factors[k] * inner.offset
+        inner.factors[k] = -1.0
+    return each[0].offset
+
+
+@by_address
+class Holder(NamedTuple):
+    """Has tables of several."""
+
+    each: Any
+    one: int
+
+
+@numba.njit(_nrt=False)
+def held(holder: Holder, i: int) -> Any:
+    return holder.each[i].offset + holder.one
+
+
+def parts() -> tuple[Float, Each[Inner]]:
+    """Three tables in the memory of one array, of different lengths; one has nothing."""
+    whole = np.arange(1.0, 8.0)
+    return whole, Each([Inner(whole[:3], 2), Inner(whole[3:3], 3), Inner(whole[3:], 10)])
+
+
+def test_a_kernel_takes_one_of_several_and_writes_into_the_memory_of_all():
+    whole, each = parts()
+    out = np.zeros(4)
+    assert taken(each, 2, out) == 2
+    assert out.tolist() == [40.0, 50.0, 60.0, 70.0]
+    assert whole.tolist() == [1.0, 2.0, 3.0, -1.0, -1.0, -1.0, -1.0]
+    taken(each, 1, out)
+    taken(each, 0, out)
+    assert out.tolist() == [2.0, 4.0, 6.0, 70.0]
+    assert (len(each), each[2].offset) == (3, 10)
+
+
+def test_several_may_be_a_field_of_a_table():
+    _, each = parts()
+    assert [held(Holder(each, 100), i) for i in range(3)] == [102, 103, 110]
+
+
+def test_a_copy_of_several_has_a_memory_of_its_own():
+    whole, each = parts()
+    copied = deepcopy(each)
+    taken(copied, 0, np.zeros(4))
+    assert whole[0] == 1.0
+    assert copied[0].factors[0] == -1.0
+
+
+def test_numbers_come_as_they_are():
+    @by_address
+    class Numbers(NamedTuple):
+        whole: int
+        real: float
+        truth: bool
+        few: Any
+
+    @numba.njit(_nrt=False)
+    def read(each: Any, out: Float) -> Any:
+        one = each[1]
+        out[0], out[1], out[2], out[3] = one.whole, one.real, one.few[1], one.few[0]
+        return one.truth
+
+    out = np.zeros(4)
+    each = Each([Numbers(0, 0.0, False, np.zeros(2, np.int32)), Numbers(-7, -0.1, True, np.array([3, -4], np.int32))])
+    assert read(each, out)
+    assert out.tolist() == [-7.0, -0.1, -4.0, 3.0]
+
+
+def test_tables_of_several_types_are_refused():
+    with pytest.raises(TypingError, match=r"annot determine Numba type of .*Each"):
+        taken(Each([Inner(np.zeros(2), 1), Inner(np.zeros((2, 2)), 1)]), 0, np.zeros(2))

@@ -6,10 +6,13 @@ time for them. A table that is made in Python and only read in kernels is writte
 the kernel, and handed on as one address.
 """
 
-from collections.abc import Iterator
+import operator
+from collections.abc import Iterator, Sequence
+from copy import deepcopy
 from importlib import import_module
-from typing import Any, TypeVar, final
+from typing import Any, Generic, TypeVar, final
 
+import numpy as np
 from numba.core import types
 from numba.core.datamodel.models import PrimitiveModel
 from numba.extending import NativeValue, typeof_impl
@@ -20,8 +23,10 @@ cgutils: Any = import_module("numba.core.cgutils")
 registry: Any = import_module("numba.core.datamodel.registry")
 imputils: Any = import_module("numba.core.imputils")
 boxing: Any = import_module("numba.core.pythonapi")
+templates: Any = import_module("numba.core.typing.templates")
 
 T = TypeVar("T", bound=type)
+Table = TypeVar("Table", bound=tuple[Any, ...])
 
 _WORD = 8  # bytes that every number of a table takes
 _BYTES = ir.IntType(8).as_pointer()
@@ -57,6 +62,93 @@ def by_address(table: T) -> T:
     return table
 
 
+@final
+class Each(Generic[Table]):
+    """Tables of one class, such as one for each copy: a kernel takes the one that it needs and packs nothing again."""
+
+    def __init__(self, tables: Sequence[Table]) -> None:
+        """Of at least one table, all of the same types.
+
+        Args:
+            tables: of a class that is handed over by address, of arrays and numbers.
+        """
+        self.tables = tuple(tables)
+        self._memory = [np.array([word for field in table for word in _words(field)]) for table in tables]
+        self._places = np.array([memory.ctypes.data for memory in self._memory])
+        self.place: int = self._places.ctypes.data
+
+    def __getitem__(self, index: int) -> Table:
+        return self.tables[index]
+
+    def __len__(self) -> int:
+        return len(self.tables)
+
+    def __deepcopy__(self, memory: dict[int, Any]) -> "Each[Table]":
+        return Each(deepcopy(self.tables, memory))
+
+
+def _words(value: Any) -> list[int]:
+    """What LLVM's value of an array or a number is in memory, where nobody counts references."""
+    array: Any = value
+    if isinstance(value, np.ndarray):
+        return [0, 0, array.size, array.itemsize, array.ctypes.data, *array.shape, *array.strides]
+    return [np.float64(value).view(np.int64).item() if isinstance(value, float) else int(value)]
+
+
+@final
+class EachByAddress(types.Type):
+    """Numba's type of `Each`: where the addresses of the tables are."""
+
+    def __init__(self, table: ByAddress) -> None:
+        """Of tables of one type.
+
+        Args:
+            table: the type of each.
+        """
+        super().__init__(f"each({table.name})")
+        self.table = table
+
+
+@typeof_impl.register(Each)
+def _(value: Any, context: Any) -> EachByAddress | None:
+    first, *others = (typeof_impl(table, context) for table in value.tables)
+    return EachByAddress(first) if all(other == first for other in others) else None
+
+
+@templates.infer_global(operator.getitem)
+@final
+class _Taken(templates.AbstractTemplate):
+    def generic(self, args: Any, kws: Any) -> Any:
+        del kws
+        if isinstance(args[0], EachByAddress) and isinstance(args[1], types.Integer):
+            return templates.signature(args[0].table, args[0], types.intp)
+        return None
+
+
+@imputils.lower_builtin(operator.getitem, EachByAddress, types.Integer)
+def _taken(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+    del context, signature
+    tables, index = arguments
+    places = builder.bitcast(tables, _BYTES.as_pointer())
+    return _unchanging(builder, builder.load(builder.gep(places, [index], inbounds=True)))
+
+
+def _unchanging(builder: Any, read: Any) -> Any:
+    """A value that was loaded from where nobody writes: it need be read only once, whatever is written meanwhile."""
+    read.set_metadata("invariant.load", builder.module.add_metadata([]))
+    return read
+
+
+@boxing.unbox(EachByAddress)
+def _where(kind: Any, each: Any, c: Any) -> NativeValue:
+    del kind
+    held = c.pyapi.object_getattr_string(each, "place")
+    place = c.pyapi.long_as_longlong(held)
+    c.pyapi.decref(held)
+    return NativeValue(c.builder.inttoptr(place, _BYTES), is_error=c.pyapi.c_api_error())
+
+
+@registry.register_default(EachByAddress)
 @registry.register_default(ByAddress)
 @final
 class _Address(PrimitiveModel):
@@ -96,9 +188,7 @@ def _field(context: Any, builder: Any, kind: Any, memory: Any, name: str) -> Any
     word = places[index]
     value = ir.Constant(field, ir.Undefined)
     for offset, (number, path) in enumerate(_numbers(field)):
-        read = builder.load(_place(builder, memory, word + offset, number))
-        # Nobody writes there, so it need be read only once, whatever is written elsewhere meanwhile.
-        read.set_metadata("invariant.load", builder.module.add_metadata([]))
+        read = _unchanging(builder, builder.load(_place(builder, memory, word + offset, number)))
         value = builder.insert_value(value, read, path) if path else read
     return imputils.impl_ret_borrowed(context, builder, fields[index], value)
 

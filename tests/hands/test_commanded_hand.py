@@ -239,14 +239,14 @@ def test_a_ball_that_is_put_into_the_body_begins_outside_and_pushes() -> None:
     copy.tell("ball", -1, copy.body.rest.mean(axis=0), 1, radius=0.01)
     copy.run(0.002)
     assert copy.hand.tools is not None
-    place = copy.hand.tools.place[copy.hand.tools.last - 1, :3].copy()
+    place = copy.hand.tools.place[-1, :3].copy()
     low, high = copy.body.rest.min(axis=0), copy.body.rest.max(axis=0)
     assert ((place < low) | (place > high)).any()
     for n in range(40):
         copy.tell("ball", -1, copy.body.rest.mean(axis=0), 2 + n, radius=0.01)
         copy.run(0.016)
     assert np.linalg.norm(copy.force()) > 0.05
-    place = copy.hand.tools.place[copy.hand.tools.last - 1, :3]
+    place = copy.hand.tools.place[-1, :3]
     assert resolve_penetration(copy.body, copy.positions(), place, 0.002) is None  # its middle is not in it
 
 

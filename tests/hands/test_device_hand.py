@@ -168,10 +168,10 @@ def test_with_a_scale_the_body_moves_farther_and_the_device_feels_more(text: str
     assert s == scale or (scale == "fit" and 0.3 < s < 2.0)
     place = np.array(link.orders[-1][0]) - np.array([0.01, -0.02, 0.03]) - 0.01 * np.array(towards)  # heard first there
     tools = hand.tools
-    moved = peer.model.to_nodes(peer.state.position)[0, 0] if tools is None else tools.place[tools.first, 0] - 0.09
+    moved = peer.model.to_nodes(peer.state.position)[0, 0] if tools is None else tools.place[0, 0] - 0.09
     assert moved == pytest.approx(s * place[0], rel=1e-9)
     # What pulls the proxy is 1/s of the device's spring.
-    force = (hand.ports.force[0, 0] if tools is None else tools.drive_force[tools.first, 0]) * s
+    force = (hand.ports.force[0, 0] if tools is None else tools.drive_force[0, 0]) * s
     gap = link.place[0] - link.orders[-1][0][0]
     assert force == pytest.approx(500.0 * gap, rel=0.02, abs=2e-3)
     if tools is None:  # a spring of 20 N/m holds the point: it is s² times as stiff for the device

@@ -34,7 +34,7 @@ def session(law: PathLaw, *, encoding: str = "float64", budget: float = 0.06, ta
                 index=user, model=ready, links={1 - user: link.guard}, strength=[STRENGTH], weight=[0],
                 local_damping=np.array([0.5 * STRENGTH * 2 * budget]), extra_damping=np.array([0.0]),
                 ports=Ports(
-                    first=0, last=1, row=ports, shape=ready.port_shapes(ports), stiffness=np.full(1, 60.0),
+                    row=ports, shape=ready.port_shapes(ports), stiffness=np.full(1, 60.0),
                     damping=np.full(1, 0.5), start=np.zeros((1, 4)), end=np.zeros((1, 4)), push=np.zeros((1, 4)),
                     force=np.zeros((1, 4)),
                 ),

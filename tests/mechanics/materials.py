@@ -128,11 +128,9 @@ class Alone:
         )
         self.work = self.model.workspace(0)
         self.ledger, none = np.zeros(LEDGER_COLUMNS), np.zeros(0)
-        self.links = Links(0, 0, none, np.zeros(0, np.int32), np.zeros(0, np.int64), np.zeros((1, rows, 4)))
+        self.links = Links(none, np.zeros(0, np.int32), np.zeros(0, np.int64), np.zeros((1, rows, 4)))
         nothing = np.zeros((0, 4))
-        self.ports = Ports(
-            0, 0, np.zeros(0, np.int32), np.zeros((0, rows)), none, none, nothing, nothing, nothing, nothing
-        )
+        self.ports = Ports(np.zeros(0, np.int32), np.zeros((0, rows)), none, none, nothing, nothing, nothing, nothing)
         self.solver = tolerance, cap
         closed_settle(self.model.operator, self.force, self.state, self.work, self.ledger, self.model.lanes)
 

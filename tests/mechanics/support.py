@@ -29,6 +29,7 @@ from cotouch.mechanics import (
     Workspace,
     closed_settle,
     model,
+    own_ports,
     settle,
     step,
 )
@@ -97,12 +98,11 @@ class Copy:
         for index, spring in enumerate(springs):
             samples[count - 1 - index] = self.model.to_rows(spring.sample)
         self.mean_slot = count + 1
+        own = slice(others, others + count)
         self.links = Links(
-            first=others,
-            last=others + count,
-            strength=_padded([spring.strength for spring in springs], others, np.nan),
-            weight=_padded([spring.weight for spring in springs], others, 0).astype(np.int32),
-            slot=_padded([count - 1 - index for index in range(count)], others, 0).astype(np.int64),
+            strength=_padded([spring.strength for spring in springs], others, np.nan)[own],
+            weight=_padded([spring.weight for spring in springs], others, 0).astype(np.int32)[own],
+            slot=_padded([count - 1 - index for index in range(count)], others, 0).astype(np.int64)[own],
             samples=samples,
         )
         entries = [
@@ -113,9 +113,7 @@ class Copy:
         if shape.shape[0]:
             shape = np.concatenate([np.full((others, rows), np.nan), shape, np.full((others, rows), np.nan)])
         total = len(entries) + 2 * others
-        self.ports = Ports(
-            first=others,
-            last=others + len(entries),
+        self.all_ports = Ports(
             row=_padded([row for _, row, _ in entries], others, 0).astype(np.int32),
             shape=np.ascontiguousarray(shape),
             stiffness=_padded([port.stiffness for _, _, port in entries], others, np.nan),
@@ -125,6 +123,7 @@ class Copy:
             push=np.full((total, width), np.nan),
             force=np.full((total, width), np.nan),
         )
+        self.ports = own_ports(self.all_ports, others, others + len(entries))
         self.hold()
         weights = op.weight.shape[0]
         self.local_damping = _fit(scene.local_damping, weights)
@@ -132,7 +131,8 @@ class Copy:
         self.work: Workspace = self.model.workspace(len(entries))
         self.ledger = np.full(LEDGER_COLUMNS, np.nan)
         self.ledger[CLOSURE:] = 0.0  # a linear step leaves what only closed ones book
-        self.link_work = np.full(count + 2 * others, np.nan)
+        self.all_link_work = np.full(count + 2 * others, np.nan)
+        self.link_work = self.all_link_work[own]
         self.settle()
 
     def settle(self) -> None:
@@ -144,7 +144,7 @@ class Copy:
 
     def hold(self) -> None:
         """Writes start, end and push of the scene's ports into the arrays."""
-        for index, (port, axis) in enumerate(self.port_of, start=self.ports.first):
+        for index, (port, axis) in enumerate(self.port_of):
             for name in ("start", "end", "push"):
                 value = np.broadcast_to(np.asarray(getattr(port, name), dtype=np.float64), self.scene.body.dimension)
                 row = getattr(self.ports, name)[index]
@@ -187,14 +187,14 @@ class Copy:
     @property
     def forces(self) -> Array:
         """Mean force of every port of the scene, (ports, d)."""
-        raw = self.ports.force[self.ports.first : self.ports.last]
+        raw = self.ports.force
         d = self.scene.body.dimension
         return raw.reshape(-1, d) if self.model.full else raw[:, :d]
 
     @property
     def links_did(self) -> Array:
         """Work of every spring of the scene [J]."""
-        return self.link_work[self.links.first : self.links.last]
+        return self.link_work
 
     @property
     def energy(self) -> float:

@@ -155,12 +155,9 @@ class TestArraysOfManyUsers:
         assert np.array_equal(among.velocity, alone.velocity)
         assert np.array_equal(among.links_did, alone.links_did)
         assert np.array_equal(among.forces, alone.forces)
-        for written, first, last in [
-            (among.link_work, among.links.first, among.links.last),
-            (among.ports.force, among.ports.first, among.ports.last),
-        ]:
-            assert np.isnan(written[:first]).all()
-            assert np.isnan(written[last:]).all()
+        for written in (among.all_link_work, among.all_ports.force):
+            assert np.isnan(written[:others]).all()
+            assert np.isnan(written[-others:]).all()
 
 
 class TestWorkspace:

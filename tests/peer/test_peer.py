@@ -24,8 +24,6 @@ def peer(*, delay: int | None = None, local: float = 2.0, stiffness: float = 0.0
     ready = model(point(mass=1.0, stiffness=4.0, damping=0.5), copies=2)
     initial = sample(1, -1, 0.0)
     ports = Ports(
-        first=0,
-        last=1,
         row=np.zeros(1, np.int32),
         shape=ready.port_shapes(np.zeros(1, np.int32)),
         stiffness=np.full(1, stiffness),
@@ -137,7 +135,7 @@ def alone(
         local_damping=np.array([0.0]),
         extra_damping=np.array([0.0]),
         ports=Ports(
-            first=0, last=0, row=np.zeros(0, np.int32), shape=ready.port_shapes(np.zeros(0, np.int32)),
+            row=np.zeros(0, np.int32), shape=ready.port_shapes(np.zeros(0, np.int32)),
             stiffness=empty, damping=empty, start=np.zeros((0, 1)), end=np.zeros((0, 1)), push=np.zeros((0, 1)),
             force=np.zeros((0, 1)),
         ),
@@ -211,7 +209,7 @@ def test_members_come_and_go_and_the_books_stay_balanced():
         local_damping=np.array([0.0]),
         extra_damping=np.array([0.1]),
         ports=Ports(
-            first=0, last=0, row=np.zeros(0, np.int32), shape=ready.port_shapes(np.zeros(0, np.int32)),
+            row=np.zeros(0, np.int32), shape=ready.port_shapes(np.zeros(0, np.int32)),
             stiffness=empty, damping=empty, start=np.zeros((0, 4)), end=np.zeros((0, 4)), push=np.zeros((0, 4)),
             force=np.zeros((0, 4)),
         ),
@@ -356,7 +354,7 @@ def test_norms_in_a_weight_that_couples_rows_are_the_dense_ones():
         index=0, model=ready, links={1: guard}, strength=[3.0], weight=[1],
         local_damping=np.array([0.0, 1.0]), extra_damping=np.zeros(2),
         ports=Ports(
-            first=0, last=0, row=np.zeros(0, np.int32), shape=ready.port_shapes(np.zeros(0, np.int32)),
+            row=np.zeros(0, np.int32), shape=ready.port_shapes(np.zeros(0, np.int32)),
             stiffness=empty, damping=empty, start=np.zeros((0, 4)), end=np.zeros((0, 4)), push=np.zeros((0, 4)),
             force=np.zeros((0, 4)),
         ),

@@ -95,8 +95,6 @@ class Driven:
             local_damping=np.array([self.local(user)]),
             extra_damping=np.array([0.1]),
             ports=Ports(
-                first=0,
-                last=ports,
                 row=rows,
                 shape=ready.port_shapes(rows),
                 stiffness=np.zeros(ports),

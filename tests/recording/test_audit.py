@@ -346,7 +346,7 @@ def recorded_world(scenario: Scenario, folder: Path) -> list[Path]:
             local_damping=prepared.local_damping[i],
             extra_damping=prepared.extra_damping[i],
             ports=None,
-            tool_mass=[] if tools is None else tools.mass[tools.first : tools.last],
+            tool_mass=[] if tools is None else tools.mass,
         )
         recorders.append(recorder)
 

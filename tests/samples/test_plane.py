@@ -299,7 +299,7 @@ def peers(links, body, ready):
             local_damping=np.array([1.0]),
             extra_damping=np.array([0.1]),
             ports=Ports(
-                first=0, last=0, row=np.zeros(0, np.int32), shape=ready.port_shapes(np.zeros(0, np.int32)),
+                row=np.zeros(0, np.int32), shape=ready.port_shapes(np.zeros(0, np.int32)),
                 stiffness=empty, damping=empty, start=np.zeros((0, ready.width)), end=np.zeros((0, ready.width)),
                 push=np.zeros((0, ready.width)), force=np.zeros((0, ready.width)),
             ),

@@ -107,8 +107,7 @@ class Held:
 
     def force(self) -> np.ndarray:
         """Of all ports and proxies on the copy, by axis."""
-        ports, axes = self.hand.ports, self.body.dimension
-        ports = ports.force[ports.first : ports.last]
+        ports, axes = self.hand.ports.force, self.body.dimension
         total = ports[:, :axes].sum(axis=0) if not self.model.full else ports[:, 0].reshape(-1, axes).sum(axis=0)
         tools = self.hand.tools
         return total if tools is None else total - tools.touch_force[:, :axes].sum(axis=0)

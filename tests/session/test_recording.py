@@ -256,7 +256,7 @@ def test_a_session_that_touches_by_a_law_keeps_an_exact_ledger(tmp_path: Path) -
     assert ann.copy.peer is not None
     tools = ann.copy.peer.tools
     assert tools is not None
-    assert tools.touching[tools.first] == 1
+    assert tools.touching[0] == 1
     world.join("Ben")
     world.until(world.all_coupled, 12.0)
     world.run(4.0)

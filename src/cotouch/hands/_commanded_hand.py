@@ -104,7 +104,7 @@ class CommandedHand:
         self._posed = PosedTools(rigid, self.ports, model)
         self._scripted_nodes = [node for node in self._held for _ in range(self._each)] + grips_of(body, slot)
         self.nodes = [*self._scripted_nodes, *[self._node] * self._each]
-        assert self.ports.last == first + self._each
+        assert self.ports.row.size == first + self._each
         self._cursor, self._lanes = self._hands.path_first[:-1].copy(), model.lanes
         self._body, self._model, self._axes, self._slot = body, model, axes, slot
         self._order = None if model.order is None else np.argsort(model.order)
@@ -271,7 +271,7 @@ class CommandedHand:
             self._reach_for(self._wanted)
         self._grasp = _toward(self._grasp, holding and self._node == self._wanted, T, _GROW)
         ports, port, axes, mover = self.ports, self._first, self._axes, self._mover
-        span = slice(port, ports.last)
+        span = slice(port, None)
         self._stiffness += (self._wanted_stiffness - self._stiffness) * min(1.0, T / _FADE)
         stiffness = self._grasp * self._stiffness
         ports.stiffness[span] = stiffness
@@ -296,7 +296,7 @@ class CommandedHand:
     def _reach_for(self, node: int) -> None:
         """Takes a node, where it is; nothing of the spring is left then."""
         rows = self._rows(node)
-        span = slice(self._first, self.ports.last)
+        span = slice(self._first, None)
         self.ports.row[span] = rows
         if self.ports.shape.shape[0]:
             self.ports.shape[span] = self._model.port_shapes(rows)

@@ -19,7 +19,7 @@ from cotouch.haptics import (
     ServoReport,
     Vector,
 )
-from cotouch.mechanics import Contact, EnergyMessage, Model, Surface, Tools
+from cotouch.mechanics import Contact, EnergyMessage, Model, Surface, Tools, idle_ports, own_ports
 from cotouch.members import Slot, coupling_of_slot, no_ports
 from cotouch.observers import size_of
 from cotouch.scenario import (
@@ -137,12 +137,11 @@ class DeviceHand:
         tables = [HandTable(user=slot + 1, node=node) for node in nodes]
         hands, ports = ports_of(tables, scenario.network.size, body, model)
         self.nodes = [node - 1 for node in nodes for _ in range(ports.shape[1])]
-        self.ports = no_ports(model, hands.row.tolist())._replace(
-            first=int(hands.first[slot]), last=int(hands.first[slot + 1]), shape=hands.shape
-        )
+        held = idle_ports(hands.row, hands.shape, model.width)
+        self.ports = own_ports(held, int(hands.first[slot]), int(hands.first[slot + 1]))
         for node, own in zip(nodes, ports, strict=True):
             x, y, z = (*body.held_rest[node - 1].tolist(), 0.0, 0.0)[:3]
-            self._nodes.append(GraspedNode(self.ports, body.dimension, node - 1, (x, y, z), own.tolist()))
+            self._nodes.append(GraspedNode(held, body.dimension, node - 1, (x, y, z), own.tolist()))
         return list(self._nodes)
 
 

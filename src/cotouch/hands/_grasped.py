@@ -53,7 +53,7 @@ class GraspedBall:
     def __init__(self, tools: Tools, k: int, radius: float) -> None:
         """The `k`-th of a slot's, from 0, with its radius [m]."""
         self._tools = tools
-        self._row = tools.first + k
+        self._row = k
         self._radius = radius
 
     def place(self) -> Vector:

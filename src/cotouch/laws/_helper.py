@@ -96,7 +96,7 @@ def feel(hand: Float, ports: Ports, weight: Float) -> None:
     dense, width = ports.shape.shape[0] > 0, ports.force.shape[1]
     for place in range(hand.shape[0]):
         put(hand, place, 0.0)
-    for p in range(ports.first, ports.last):
+    for p in range(ports.row.shape[0]):
         for axis in range(width):
             force = at(ports.force, (p, axis))
             if dense:

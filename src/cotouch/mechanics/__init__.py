@@ -80,6 +80,8 @@ from cotouch.mechanics._state import (
     Ports,
     State,
     Workspace,
+    idle_ports,
+    own_ports,
     workspace,
 )
 from cotouch.mechanics._step import settle, step
@@ -100,6 +102,7 @@ from cotouch.mechanics._tools import (
     TOUCH_STORED,
     TOUCHED,
     Tools,
+    own_tools,
     tools,
 )
 from cotouch.mechanics._vector import FOUR, at, load, put, size, splat, store, total, upper, where
@@ -207,6 +210,7 @@ __all__ = [
     "hear_cuts",
     "hear_end",
     "hold_gap",
+    "idle_ports",
     "inner",
     "inner_energy",
     "kernel",
@@ -222,6 +226,8 @@ __all__ = [
     "most_toll",
     "multiply",
     "opening_energy",
+    "own_ports",
+    "own_tools",
     "part",
     "path_place",
     "place_at_rest",

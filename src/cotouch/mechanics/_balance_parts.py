@@ -247,7 +247,7 @@ def _share_out(
         _add(parts, b, MOVING, 0.5 * m * total(v * v))
         for a in range(3):
             _add(parts, b, MOMENTUM + a, m * at(state.velocity, (i, a)))
-    for link in range(links.first, links.last):
+    for link in range(links.slot.shape[0]):
         w, base = at(links.weight, link), at(links.slot, link) * rows
         for i in range(rows):
             rate = load(work.mean, i, lanes)
@@ -257,12 +257,12 @@ def _share_out(
                 pulled = pulled + load(links.push, link * rows + i, lanes) - at(links.brake, link) * rate
             _add(parts, at(parts.part, i), LACKS, share * T * at(op.weight, (w, i)) * total(pulled * rate))
     if ports.shape.shape[0] == 0:
-        for p in range(ports.first, ports.last):
+        for p in range(ports.row.shape[0]):
             i = at(ports.row, p)
             did = total(load(ports.force, p, lanes) * load(work.mean, i, lanes))
             _add(parts, at(parts.part, i), LACKS, share * T * did)
     else:  # a port holds a point that follows many rows
-        for p in range(ports.first, ports.last):
+        for p in range(ports.row.shape[0]):
             for i in range(rows):
                 did = at(ports.shape, (p, i)) * total(load(ports.force, p, lanes) * load(work.mean, i, lanes))
                 _add(parts, at(parts.part, i), LACKS, share * T * did)

@@ -128,7 +128,7 @@ def closed_step(
         keep_place(state, work, lanes)
         gain = ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
         move(op, state, links, T, sample, work, link_work, lanes)
-        for link in range(links.first, links.last):
+        for link in range(links.slot.shape[0]):
             gain += at(link_work, link)
         weigh(op, force, state, local_damping, extra_damping, T, gain, work, ledger, lanes)
         passed = work.weighed[PASSED] != 0.0

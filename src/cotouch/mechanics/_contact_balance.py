@@ -115,16 +115,15 @@ def balanced(
     """
     most, held_back, touches, passed = 1.0, False, False, False
     inflow, slope, spare = abs(free) + abs(contact), -T * (free + contact), 0.0
-    for t in range(tools.first, tools.last):
-        p = t - tools.first
-        held_back = held_back or touch.caught[p, 0] != 0.0
+    for t in range(tools.mode.shape[0]):
+        held_back = held_back or touch.caught[t, 0] != 0.0
         if tools.mode[t] == TOUCH and tools.inside[t] == 0:
             most = min(most, _SHORT * first_crossing(surface, touch, tools, t, T))
         for a in range(3):
-            inflow += abs(touch.mean[p, a] * touch.drive[p, a])
-            slope -= T * touch.inertia[p] * touch.mean[p, a] * touch.mean[p, a]
-            spare += _LEFT * T * abs(touch.mean[p, a] * touch.pull[p, a])
-        touches = touches or touch.total[p] > 0.0 or touch.well[p] != 0.0 or tools.mode[t] == GRASP
+            inflow += abs(touch.mean[t, a] * touch.drive[t, a])
+            slope -= T * touch.inertia[t] * touch.mean[t, a] * touch.mean[t, a]
+            spare += _LEFT * T * abs(touch.mean[t, a] * touch.pull[t, a])
+        touches = touches or touch.total[t] > 0.0 or touch.well[t] != 0.0 or tools.mode[t] == GRASP
     aim = 0.5 * spare if force is None else 0.0
     if force is not None:
         keep_place(state, work, lanes)
@@ -143,7 +142,7 @@ def balanced(
             ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
             move(op, state, links, T, sample, work, link_work, lanes)
             gain = ledger[SUPPLIED] + over
-            for link in range(links.first, links.last):
+            for link in range(links.slot.shape[0]):
                 gain += at(link_work, link)
             weigh(op, force, state, local_damping, extra_damping, T, gain, work, ledger, lanes)
             weighed = work.weighed
@@ -237,12 +236,12 @@ def balanced(
 def _leave(touch: ContactWork, tools: Tools, over: float) -> bool:
     """Lets the tool that does most work keep what the next step is to make up for; whether there is one."""
     chosen, most = -1, 0.0
-    for t in range(tools.first, tools.last):
-        p, work = t - tools.first, 0.0
+    for t in range(tools.mode.shape[0]):
+        work = 0.0
         for a in range(3):
-            work += abs(touch.mean[p, a] * touch.pull[p, a])
+            work += abs(touch.mean[t, a] * touch.pull[t, a])
         if tools.mode[t] in (TOUCH, GRASP) and work > most:
-            chosen, most = p, work
+            chosen, most = t, work
     if chosen >= 0:
         touch.stored[chosen] += over
     return chosen >= 0
@@ -251,7 +250,7 @@ def _leave(touch: ContactWork, tools: Tools, over: float) -> bool:
 @part
 def _passes(surface: Surface, touch: ContactWork, tools: Tools, time: float) -> bool:
     """Whether any tool passes the skin within some time."""
-    for t in range(tools.first, tools.last):
+    for t in range(tools.mode.shape[0]):
         if tools.mode[t] == TOUCH and tools.inside[t] == 0 and first_crossing(surface, touch, tools, t, time) <= 1.0:
             return True
     return False
@@ -273,23 +272,22 @@ def _over(
     """What a scaled motion leaves over, of tools and, if so, a linear body; its rounding; what the tools lose [J]."""
     over = T * scale * ((1.0 - scale) * free - scale * contact) if body else 0.0
     lost, stored = 0.0, 0.0
-    for t in range(tools.first, tools.last):
-        p = t - tools.first
+    for t in range(tools.mode.shape[0]):
         for a in range(3):
-            rate = scale * touch.mean[p, a]
-            over += T * rate * (touch.drive[p, a] - touch.inertia[p] * rate)
+            rate = scale * touch.mean[t, a]
+            over += T * rate * (touch.drive[t, a] - touch.inertia[t] * rate)
         gone, size = 0.0, 0.0
         if tools.mode[t] == TOUCH and tools.inside[t] == 0:
-            touch.stored[p] = press_tool(law, surface, touch, tools, t, scale * T, 0.0)
+            touch.stored[t] = press_tool(law, surface, touch, tools, t, scale * T, 0.0)
             rubbed, gone, _ = rub(touch, tools, t, scale * T, T)
             if tools.snaps[t] != 0:
-                touch.well[p], size = draw_tool(surface, touch, tools, t, scale * T, 0.0)
-                rubbed += touch.well[p]
-            touch.stored[p] += rubbed
+                touch.well[t], size = draw_tool(surface, touch, tools, t, scale * T, 0.0)
+                rubbed += touch.well[t]
+            touch.stored[t] += rubbed
         elif tools.mode[t] == GRASP:
-            touch.stored[p], gone = hold_energy(touch, tools, t, scale * T, T)
-            stored += tools.grip_stiffness[t] * touch.held[p, 0]
-        over -= touch.stored[p] - tools.owed[t] - tools.stored[t] + gone
+            touch.stored[t], gone = hold_energy(touch, tools, t, scale * T, T)
+            stored += tools.grip_stiffness[t] * touch.held[t, 0]
+        over -= touch.stored[t] - tools.owed[t] - tools.stored[t] + gone
         lost += gone
-        stored += abs(touch.stored[p]) + abs(tools.stored[t]) + 2.0 * size
+        stored += abs(touch.stored[t]) + abs(tools.stored[t]) + 2.0 * size
     return over, _ROUNDING * (T * scale * inflow + stored), lost

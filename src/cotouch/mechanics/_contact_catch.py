@@ -19,21 +19,21 @@ _APART, _EXACT = 0.5, 0.2
 @part
 def begin_catch(surface: Surface, work: ContactWork, tools: Tools, t: int) -> None:
     """Chooses along what, and how far from the triangle of `first_crossing`, a tool is held."""
-    p, place, caught, aside = t - tools.first, work.fit.place, work.caught, work.aside
-    f = int(caught[p, 1])
+    place, caught, aside = work.fit.place, work.caught, work.aside
+    f = int(caught[t, 1])
     ia, ib, ic = surface.corner[f, 0], surface.corner[f, 1], surface.corner[f, 2]
     ux, uy, uz = place[ib, 0] - place[ia, 0], place[ib, 1] - place[ia, 1], place[ib, 2] - place[ia, 2]
     vx, vy, vz = place[ic, 0] - place[ia, 0], place[ic, 1] - place[ia, 1], place[ic, 2] - place[ia, 2]
-    aside[p, 0], aside[p, 1], aside[p, 2] = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+    aside[t, 0], aside[t, 1], aside[t, 2] = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
     size, apart = 0.0, 0.0
     for a in range(3):
-        size += aside[p, a] * aside[p, a]
-        apart += aside[p, a] * (tools.place[t, a] + caught[p, 9] * tools.axis[t, a] - place[ia, a])
+        size += aside[t, a] * aside[t, a]
+        apart += aside[t, a] * (tools.place[t, a] + caught[t, 9] * tools.axis[t, a] - place[ia, a])
     size = math.sqrt(size) if apart >= 0.0 else -math.sqrt(size)
     for a in range(3):
-        aside[p, a] /= size
-    caught[p, 0], caught[p, 2], caught[p, 3], caught[p, 4] = 1.0, -1.0, 0.0, 0.0
-    caught[p, 5] = _APART * min(tools.radius[t], apart / size)
+        aside[t, a] /= size
+    caught[t, 0], caught[t, 2], caught[t, 3], caught[t, 4] = 1.0, -1.0, 0.0, 0.0
+    caught[t, 5] = _APART * min(tools.radius[t], apart / size)
 
 
 @part
@@ -45,26 +45,26 @@ def catch(surface: Surface, work: ContactWork, tools: Tools, t: int, T: float) -
     Returns:
         Whether the present guess holds them apart well enough.
     """
-    p, place, rate, caught, aside = t - tools.first, work.fit.place, work.rate, work.caught, work.aside
-    f = int(caught[p, 1])
+    place, rate, caught, aside = work.fit.place, work.rate, work.caught, work.aside
+    f = int(caught[t, 1])
     gap = 0.0
     for a in range(3):
-        apart = tools.place[t, a] + caught[p, 9] * tools.axis[t, a] + T * work.mean[p, a]
+        apart = tools.place[t, a] + caught[t, 9] * tools.axis[t, a] + T * work.mean[t, a]
         for q in range(3):
             v = surface.corner[f, q]
-            apart -= caught[p, 6 + q] * (place[v, a] + T * rate[v, a])
-        gap += aside[p, a] * apart
-    wanted, push = caught[p, 5], caught[p, 4]
-    settled = abs(gap - wanted) <= _EXACT * wanted or (gap > wanted and push == 0.0 and caught[p, 2] >= 0.0)
+            apart -= caught[t, 6 + q] * (place[v, a] + T * rate[v, a])
+        gap += aside[t, a] * apart
+    wanted, push = caught[t, 5], caught[t, 4]
+    settled = abs(gap - wanted) <= _EXACT * wanted or (gap > wanted and push == 0.0 and caught[t, 2] >= 0.0)
     if not settled:
-        yields = T / work.inertia[p]
-        if caught[p, 2] >= 0.0 and (gap - caught[p, 3]) * (push - caught[p, 2]) > 0.0:
-            yields = (gap - caught[p, 3]) / (push - caught[p, 2])
-        caught[p, 2], caught[p, 3] = push, gap
-        caught[p, 4] = max(push + (wanted - gap) / yields, 0.0)
+        yields = T / work.inertia[t]
+        if caught[t, 2] >= 0.0 and (gap - caught[t, 3]) * (push - caught[t, 2]) > 0.0:
+            yields = (gap - caught[t, 3]) / (push - caught[t, 2])
+        caught[t, 2], caught[t, 3] = push, gap
+        caught[t, 4] = max(push + (wanted - gap) / yields, 0.0)
     for a in range(3):
-        work.pull[p, a] = caught[p, 4] * aside[p, a]
+        work.pull[t, a] = caught[t, 4] * aside[t, a]
         for q in range(3):
-            work.force[surface.corner[f, q], a] -= caught[p, 4] * caught[p, 6 + q] * aside[p, a]
-    work.total[p], work.grip[p, 0], work.grip[p, 1], work.way[p, 3] = 0.0, 0.0, 0.0, 0.0
+            work.force[surface.corner[f, q], a] -= caught[t, 4] * caught[t, 6 + q] * aside[t, a]
+    work.total[t], work.grip[t, 0], work.grip[t, 1], work.way[t, 3] = 0.0, 0.0, 0.0, 0.0
     return settled

@@ -74,18 +74,18 @@ def _sum(
     law: Any, surface: Surface, work: ContactWork, tools: Tools, t: int, time: float, share: float
 ) -> tuple[float, float]:
     """`press_tool` on a skin that lacks nothing; and the sum of what triangles lack times their energy [Jm/N]."""
-    p, corner, soft = t - tools.first, surface.corner, surface.soft
+    corner, soft = surface.corner, surface.soft
     near, place, rate, spot, out, mean = work.near, work.fit.place, work.rate, work.spot, work.out, work.mean
     faces, energy, stiffness, radius = near.shape[1], 0.0, tools.stiffness[t], tools.radius[t]
     lacking, reach = 0.0, radius + surface.relief.top
     for bead in range(beads(tools, t)):
         along = bead_place(tools, t, bead)
         for a in range(3):
-            spot[3, a] = tools.place[t, a] + along * tools.axis[t, a] + time * mean[p, a]
+            spot[3, a] = tools.place[t, a] + along * tools.axis[t, a] + time * mean[t, a]
         spot[3, 3] = 0.0
         middle = load(spot, 3, FOUR)
-        for c in range(work.number[p]):
-            f = near[p, c]
+        for c in range(work.number[t]):
+            f = near[t, c]
             low = high = load(place, corner[f, 0], FOUR) + time * load(rate, corner[f, 0], FOUR)
             store(spot, 0, low, FOUR)
             for q in range(1, 3):
@@ -114,34 +114,34 @@ def _sum(
                 lacking += (soft[f, 1] + (soft[f, 0] - soft[f, 1]) * min(square, 1.0)) * out[3, 3]
             if share == 0.0:
                 continue
-            work.patch[p] += share * covered
+            work.patch[t] += share * covered
             for q in range(3):
                 v = corner[f, q]
                 for a in range(3):
                     work.force[v, a] += share * out[q, a]
-                    work.pull[p, a] -= share * out[q, a]
+                    work.pull[t, a] -= share * out[q, a]
                 firm = share * time * out[3, q]
                 work.firm[v] += firm
-                work.grip[p, 0] += firm
-                work.load[p * faces + c, q] += share * out[q, 3]
-                work.total[p] += share * out[q, 3]
+                work.grip[t, 0] += firm
+                work.load[t * faces + c, q] += share * out[q, 3]
+                work.total[t] += share * out[q, 3]
     return energy, lacking
 
 
 @part
-def read_skin(surface: Surface, work: ContactWork, p: int) -> None:
+def read_skin(surface: Surface, work: ContactWork, t: int) -> None:
     """Works out how fast the skin moves where a tool presses."""
     corner, near, borne, rate, faces = surface.corner, work.near, work.load, work.rate, work.near.shape[1]
     for a in range(3):
-        work.skin[p, a] = 0.0
-    if work.total[p] <= 0.0:
+        work.skin[t, a] = 0.0
+    if work.total[t] <= 0.0:
         return
-    for c in range(work.number[p]):
+    for c in range(work.number[t]):
         for q in range(3):
-            share = borne[p * faces + c, q] / work.total[p]
+            share = borne[t * faces + c, q] / work.total[t]
             if share != 0.0:
                 for a in range(3):
-                    work.skin[p, a] += share * rate[corner[near[p, c], q], a]
+                    work.skin[t, a] += share * rate[corner[near[t, c], q], a]
 
 
 @part
@@ -153,18 +153,18 @@ def rub(work: ContactWork, tools: Tools, t: int, time: float, T: float) -> tuple
     Returns:
         The energy in the spring; what was lost [J]; how much of the spring's stiffness resists more of it.
     """
-    p, way, mean, skin = t - tools.first, work.way, work.mean, work.skin
-    k, normal, stretch, rubbed = tools.stiffness[t], work.way[p, 3], tools.stretch, work.rubbed
+    way, mean, skin = work.way, work.mean, work.skin
+    k, normal, stretch, rubbed = tools.stiffness[t], work.way[t, 3], tools.stretch, work.rubbed
     size, across, approach, slip = 0.0, 0.0, 0.0, 0.0
     for a in range(3):
         size += stretch[t, a] * stretch[t, a]
-        across += stretch[t, a] * way[p, a]
-        approach -= way[p, a] * (mean[p, a] - skin[p, a])
-        rubbed[p, a] = 0.0
+        across += stretch[t, a] * way[t, a]
+        approach -= way[t, a] * (mean[t, a] - skin[t, a])
+        rubbed[t, a] = 0.0
     for a in range(3):
-        slip += (mean[p, a] - skin[p, a] + approach * way[p, a]) ** 2
-    film = tools.viscosity[t] * work.patch[p] * slip * time * time / T if normal > 0.0 else 0.0
-    work.slips[p] = 0
+        slip += (mean[t, a] - skin[t, a] + approach * way[t, a]) ** 2
+    film = tools.viscosity[t] * work.patch[t] * slip * time * time / T if normal > 0.0 else 0.0
+    work.slips[t] = 0
     if normal <= 0.0 or tools.friction[t] <= 0.0:
         lost = 0.5 * k * size + film
         share = approach * time / T
@@ -176,21 +176,21 @@ def rub(work: ContactWork, tools: Tools, t: int, time: float, T: float) -> tuple
     lost = film if turned != 0.0 else film + 0.5 * k * size
     trial, begun, done = 0.0, 0.0, 0.0
     for a in range(3):
-        start = turned * (stretch[t, a] - across * way[p, a])
-        rubbed[p, a] = start + time * (mean[p, a] - skin[p, a] + approach * way[p, a])
-        trial += rubbed[p, a] * rubbed[p, a]
+        start = turned * (stretch[t, a] - across * way[t, a])
+        rubbed[t, a] = start + time * (mean[t, a] - skin[t, a] + approach * way[t, a])
+        trial += rubbed[t, a] * rubbed[t, a]
     trial = math.sqrt(trial)
     cone = (tools.kinetic[t] if tools.slipping[t] != 0 else tools.friction[t]) * normal / k
     share = 1.0
     if trial > cone:
         share = tools.kinetic[t] * normal / (k * trial)
-        work.slips[p] = 1
+        work.slips[t] = 1
     for a in range(3):
-        start = turned * (stretch[t, a] - across * way[p, a])
-        end = share * rubbed[p, a]
-        done += end * (rubbed[p, a] - end) + 0.5 * (end - start) * (end - start)
+        start = turned * (stretch[t, a] - across * way[t, a])
+        end = share * rubbed[t, a]
+        done += end * (rubbed[t, a] - end) + 0.5 * (end - start) * (end - start)
         begun += end * end
-        rubbed[p, a] = end
+        rubbed[t, a] = end
     speed = approach * time / T
     lost += k * done + normal * max(tools.loss[t] * speed, -1.0) * speed * T
     return 0.5 * k * begun, lost, share
@@ -203,52 +203,52 @@ def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: in
     Energy along a straight way changes by the mean of its slope, which two points of Gauss's rule give to fourth order.
     Where that way is short, the middle alone is as good.
     """
-    p, faces = t - tools.first, work.near.shape[1]
-    for c in range(work.number[p]):
+    faces = work.near.shape[1]
+    for c in range(work.number[t]):
         for q in range(3):
-            work.load[p * faces + c, q] = 0.0
-    work.total[p], work.patch[p], work.grip[p, 0], work.grip[p, 1] = 0.0, 0.0, 0.0, 0.0
+            work.load[t * faces + c, q] = 0.0
+    work.total[t], work.patch[t], work.grip[t, 0], work.grip[t, 1] = 0.0, 0.0, 0.0, 0.0
     for a in range(4):
-        work.pull[p, a] = 0.0
-        work.way[p, a] = 0.0
+        work.pull[t, a] = 0.0
+        work.way[t, a] = 0.0
     half = 0.5 / math.sqrt(3.0)
-    if work.slow[p] != 0:
+    if work.slow[t] != 0:
         press_tool(law, surface, work, tools, t, 0.5 * T, 1.0)
     else:
         press_tool(law, surface, work, tools, t, (0.5 - half) * T, 0.5)
         press_tool(law, surface, work, tools, t, (0.5 + half) * T, 0.5)
     _resist(surface, work, tools, t, T)
-    work.well[p] = 0.0
+    work.well[t] = 0.0
     if tools.snaps[t] == 0:
         return
-    if work.slow[p] != 0:
-        work.well[p], _ = draw_tool(surface, work, tools, t, 0.5 * T, 1.0)
+    if work.slow[t] != 0:
+        work.well[t], _ = draw_tool(surface, work, tools, t, 0.5 * T, 1.0)
     else:
         early, _ = draw_tool(surface, work, tools, t, (0.5 - half) * T, 0.5)
         late, _ = draw_tool(surface, work, tools, t, (0.5 + half) * T, 0.5)
-        work.well[p] = 0.5 * (early + late)
+        work.well[t] = 0.5 * (early + late)
 
 
 @part
 def _resist(surface: Surface, work: ContactWork, tools: Tools, t: int, T: float) -> None:
     """Adds friction, film and damping to the pressure that was gathered, and notes along what it acts."""
-    p, faces = t - tools.first, work.near.shape[1]
-    read_skin(surface, work, p)
+    faces = work.near.shape[1]
+    read_skin(surface, work, t)
     size = 0.0
     for a in range(3):
-        size += work.pull[p, a] * work.pull[p, a]
+        size += work.pull[t, a] * work.pull[t, a]
     size = math.sqrt(size)
-    if size <= 0.0 or work.total[p] <= 0.0:
+    if size <= 0.0 or work.total[t] <= 0.0:
         return
-    work.way[p, 3] = size
+    work.way[t, 3] = size
     approach = 0.0
     for a in range(3):
-        work.way[p, a] = work.pull[p, a] / size
-        approach -= work.way[p, a] * (work.mean[p, a] - work.skin[p, a])
+        work.way[t, a] = work.pull[t, a] / size
+        approach -= work.way[t, a] * (work.mean[t, a] - work.skin[t, a])
     corner, near = surface.corner, work.near
-    for c in range(work.number[p]):
+    for c in range(work.number[t]):
         for q in range(3):
-            v, long = corner[near[p, c], q], 0.0
+            v, long = corner[near[t, c], q], 0.0
             if work.firm[v] > 0.0:
                 for a in range(3):
                     long += work.force[v, a] * work.force[v, a]
@@ -261,20 +261,20 @@ def _resist(surface: Surface, work: ContactWork, tools: Tools, t: int, T: float)
     k, damper = tools.stiffness[t], size * tools.loss[t]
     damping = size * max(tools.loss[t] * approach, -1.0)
     grip = k * T * share if tools.friction[t] > 0.0 else 0.0
-    film = tools.viscosity[t] * work.patch[p]
+    film = tools.viscosity[t] * work.patch[t]
     for a in range(3):
-        slip = work.mean[p, a] - work.skin[p, a] + approach * work.way[p, a]
-        work.across[p, a] = damping * work.way[p, a] - k * work.rubbed[p, a] - film * slip
-    work.grip[p, 0] += damper
-    work.grip[p, 1] += grip + film
+        slip = work.mean[t, a] - work.skin[t, a] + approach * work.way[t, a]
+        work.across[t, a] = damping * work.way[t, a] - k * work.rubbed[t, a] - film * slip
+    work.grip[t, 0] += damper
+    work.grip[t, 1] += grip + film
     extra = damper + grip + film
-    for c in range(work.number[p]):
+    for c in range(work.number[t]):
         for q in range(3):
-            part_of = work.load[p * faces + c, q] / work.total[p]
+            part_of = work.load[t * faces + c, q] / work.total[t]
             if part_of != 0.0:
-                v = corner[near[p, c], q]
+                v = corner[near[t, c], q]
                 work.apart[v] += part_of * extra
                 for a in range(3):
-                    work.force[v, a] -= part_of * work.across[p, a]
+                    work.force[v, a] -= part_of * work.across[t, a]
     for a in range(3):
-        work.pull[p, a] += work.across[p, a]
+        work.pull[t, a] += work.across[t, a]

@@ -42,7 +42,7 @@ def look_around(
     surface: Surface, work: ContactWork, tools: Tools, t: int, reach: float, position: Float, lanes: tuple[int, ...]
 ) -> None:
     """Notes every triangle that is no farther from the middle of a tool."""
-    p, fit, stack, near = t - tools.first, work.fit, work.stack, work.near
+    fit, stack, near = work.fit, work.stack, work.near
     place, corner, child, leaf = fit.place, surface.corner, surface.child, surface.leaf
     hidden = fit.hidden
     x, y, z = tools.place[t, 0], tools.place[t, 1], tools.place[t, 2]
@@ -71,20 +71,20 @@ def look_around(
                 apart = max(min(p0, p1, p2) - own, own - max(p0, p1, p2), 0.0)
                 gap += apart * apart
             if gap <= reach * reach:
-                near[p, count] = f
+                near[t, count] = f
                 count += 1
-    work.number[p] = count
+    work.number[t] = count
 
 
 @part
-def read_rates(surface: Surface, work: ContactWork, p: int, mean: Float, lanes: tuple[int, ...]) -> None:
+def read_rates(surface: Surface, work: ContactWork, t: int, mean: Float, lanes: tuple[int, ...]) -> None:
     """Works out how fast the vertices near a tool move."""
     row, weight, shape, corner = surface.row, surface.weight, surface.shape, surface.corner
     rate, near, modal, rows = work.rate, work.near, surface.shape.shape[0] > 0, mean.shape[0]
     work.turn[0] += 1
-    for c in range(work.number[p]):
+    for c in range(work.number[t]):
         for q in range(3):
-            v = corner[near[p, c], q]
+            v = corner[near[t, c], q]
             if work.read[v] == work.turn[0]:
                 continue
             work.read[v] = work.turn[0]
@@ -105,22 +105,22 @@ def read_rates(surface: Surface, work: ContactWork, p: int, mean: Float, lanes: 
 
 
 @part
-def load_rows(surface: Surface, work: ContactWork, p: int, diagonal: Float) -> None:
+def load_rows(surface: Surface, work: ContactWork, t: int, diagonal: Float) -> None:
     """Hands on to the body's rows what the vertices near a tool carry, and takes it off them.
 
     Args:
         surface: the skin.
         work: `force`, `firm` and `apart` of the vertices; `push`, `hold`, `stiff` and `yields` are added to.
-        p: the tool.
+        t: the tool.
         diagonal: of a modal body's system without contacts [Ns/m].
     """
     row, weight, shape, corner = surface.row, surface.weight, surface.shape, surface.corner
     near, force, firm, push, hold = work.near, work.force, work.firm, work.push, work.hold
     ward, apart, stiff = work.ward, work.apart, work.stiff
     modal, rows, wide = shape.shape[0] > 0, push.shape[0], push.shape[1] > 1
-    for c in range(work.number[p]):
+    for c in range(work.number[t]):
         for q in range(3):
-            v = corner[near[p, c], q]
+            v = corner[near[t, c], q]
             whole = firm[v] + apart[v]
             if whole == 0.0 and force[v, 0] == 0.0 and force[v, 1] == 0.0 and force[v, 2] == 0.0:
                 continue

@@ -87,18 +87,18 @@ def draw_tool(
     Returns:
         The energy, and the sum of the sizes of what it is the difference of [J].
     """
-    p, corner, near = t - tools.first, surface.corner, work.near
+    corner, near = surface.corner, work.near
     place, rate, spot, drawn, mean = work.fit.place, work.rate, work.spot, work.drawn, work.mean
     reach = tools.radius[t] + tools.snap_range[t]
     energy, size = 0.0, 0.0
     for bead in range(beads(tools, t)):
         along = bead_place(tools, t, bead)
         for a in range(3):
-            spot[3, a] = tools.place[t, a] + along * tools.axis[t, a] + time * mean[p, a]
+            spot[3, a] = tools.place[t, a] + along * tools.axis[t, a] + time * mean[t, a]
         spot[3, 3] = 0.0
         middle = load(spot, 3, FOUR)
-        for c in range(work.number[p]):
-            f = near[p, c]
+        for c in range(work.number[t]):
+            f = near[t, c]
             low = high = load(place, corner[f, 0], FOUR) + time * load(rate, corner[f, 0], FOUR)
             store(spot, 0, low, FOUR)
             for q in range(1, 3):
@@ -125,10 +125,10 @@ def draw_tool(
                 v, firm = corner[f, q], share * time * drawn[3, q]
                 for a in range(3):
                     work.force[v, a] += share * drawn[q, a]
-                    work.pull[p, a] -= share * drawn[q, a]
+                    work.pull[t, a] -= share * drawn[q, a]
                 work.apart[v] += firm
-                work.grip[p, 0] += firm
-                work.grip[p, 1] += firm
+                work.grip[t, 0] += firm
+                work.grip[t, 1] += firm
     return energy, size
 
 

@@ -109,7 +109,7 @@ def contact_step(
             for i in range(mean.shape[0]):
                 store(push, i, splat(0.0, lanes), lanes)
         change = 0.0
-        for t in range(tools.first, tools.last):
+        for t in range(tools.mode.shape[0]):
             if look and (tools.mode[t] == GRASP or (tools.mode[t] == TOUCH and tools.inside[t] == 0)):
                 change = max(change, _look(law, surface, touch, tools, t, T, state, guess, work.diagonal, lanes))
         if number >= looks and change <= (_EXACT if near and force is not None else _SETTLED):
@@ -134,11 +134,11 @@ def contact_step(
             solve_touched(op, ports, touch, work, number, modal, near, ledger, tolerance, cap, lanes)
             touch.quick[0] = fastest(surface, mean, lanes)
         guess = mean
-        for t in range(tools.first, tools.last):
-            _move_tool(tools, touch, t)
+        for t in range(tools.mode.shape[0]):
+            _move_tool(touch, t)
         if near and force is None and number >= looks and change <= _NEARLY:
             break
-    for t in range(tools.first, tools.last):
+    for t in range(tools.mode.shape[0]):
         if look and tools.mode[t] == TOUCH:
             _follow(surface, touch, tools, t, T, state, mean, lanes)
         elif tools.mode[t] == GRASP:
@@ -180,19 +180,18 @@ def contact_step(
 @part
 def _drive(tools: Tools, touch: ContactWork, T: float) -> None:
     """What each proxy does without contacts, and the guess that it goes on."""
-    for t in range(tools.first, tools.last):
-        p = t - tools.first
+    for t in range(tools.mode.shape[0]):
         if tools.mode[t] != BLADE:
             tools.drag[t] = owed_drag(tools, t)
-        touch.inertia[p] = proxy_inertia(tools, t, T)
-        touch.caught[p, 0], touch.grip[p, 0], touch.grip[p, 1] = 0.0, 0.0, 0.0
-        touch.stored[p], touch.well[p], touch.total[p], touch.way[p, 3] = 0.0, 0.0, 0.0, 0.0
-        touch.slips[p] = 0
+        touch.inertia[t] = proxy_inertia(tools, t, T)
+        touch.caught[t, 0], touch.grip[t, 0], touch.grip[t, 1] = 0.0, 0.0, 0.0
+        touch.stored[t], touch.well[t], touch.total[t], touch.way[t, 3] = 0.0, 0.0, 0.0, 0.0
+        touch.slips[t] = 0
         for a in range(3):
-            touch.drive[p, a] = proxy_drive(tools, t, a, T)
-            touch.mean[p, a] = tools.rate[t, a]
-            touch.pull[p, a] = 0.0
-            touch.rubbed[p, a] = 0.0  # of one that is inside nobody asks
+            touch.drive[t, a] = proxy_drive(tools, t, a, T)
+            touch.mean[t, a] = tools.rate[t, a]
+            touch.pull[t, a] = 0.0
+            touch.rubbed[t, a] = 0.0  # of one that is inside nobody asks
 
 
 @part
@@ -211,9 +210,9 @@ def _begin(
     A tool that comes into being within the skin begins to touch once it is out of it.
     """
     acting = False
-    for t in range(tools.first, tools.last):
-        p, mode = t - tools.first, tools.mode[t]
-        touch.number[p], tools.touching[t] = 0, 0
+    for t in range(tools.mode.shape[0]):
+        mode = tools.mode[t]
+        touch.number[t], tools.touching[t] = 0, 0
         acts = mode in (TOUCH, GRASP)
         acting = acting or acts
         if mode != TOUCH:
@@ -229,14 +228,13 @@ def _begin(
         return False
     refit(surface, touch.fit, state.position, lanes)
     touch.quick[0] = fastest(surface, state.velocity, lanes)
-    for t in range(tools.first, tools.last):
-        p = t - tools.first
+    for t in range(tools.mode.shape[0]):
         if tools.mode[t] == TOUCH:
             way = T * (touch.quick[0] + _length(tools.rate, t))
             finest = min(tools.radius[t], tools.snap_range[t]) if tools.snap[t] > 0.0 else tools.radius[t]
-            touch.seen[p] = _reach(surface, tools, t) * (1.0 + _MARGIN) + _length(tools.axis, t) + _WAYS * way
-            touch.slow[p] = way < _SLOW * finest
-            look_around(surface, touch, tools, t, touch.seen[p], state.position, lanes)
+            touch.seen[t] = _reach(surface, tools, t) * (1.0 + _MARGIN) + _length(tools.axis, t) + _WAYS * way
+            touch.slow[t] = way < _SLOW * finest
+            look_around(surface, touch, tools, t, touch.seen[t], state.position, lanes)
             _begin_tool(law, surface, touch, tools, t)
             begin_snap(surface, touch, tools, t)
         elif tools.mode[t] == GRASP and tools.held[t] < 0:
@@ -285,12 +283,11 @@ def _follow(
     lanes: tuple[int, ...],
 ) -> None:
     """Reads how fast the skin near one tool moves by the present guess; what it may come to is near, too."""
-    p = t - tools.first
-    travel = _reach(surface, tools, t) + _length(tools.axis, t) + 1.25 * T * (touch.quick[0] + _length(touch.mean, p))
-    if travel > touch.seen[p]:  # faster than it was thought to be
-        touch.seen[p] = 1.5 * travel
-        look_around(surface, touch, tools, t, touch.seen[p], state.position, lanes)
-    read_rates(surface, touch, p, mean, lanes)
+    travel = _reach(surface, tools, t) + _length(tools.axis, t) + 1.25 * T * (touch.quick[0] + _length(touch.mean, t))
+    if travel > touch.seen[t]:  # faster than it was thought to be
+        touch.seen[t] = 1.5 * travel
+        look_around(surface, touch, tools, t, touch.seen[t], state.position, lanes)
+    read_rates(surface, touch, t, mean, lanes)
 
 
 @part
@@ -307,72 +304,69 @@ def _look(
     lanes: tuple[int, ...],
 ) -> float:
     """Gathers what one tool does by the present guess; returns by which share that is not what it did before."""
-    p = t - tools.first
     for a in range(3):
-        touch.before[p, a] = touch.pull[p, a]
+        touch.before[t, a] = touch.pull[t, a]
     if tools.mode[t] == GRASP:
         feel_grasp(surface, touch, tools, t, T, state.position, mean, diagonal, True, lanes)
-        return _change(touch, p)
+        return _change(touch, t)
     _follow(surface, touch, tools, t, T, state, mean, lanes)
-    if touch.caught[p, 0] == 0.0 and first_crossing(surface, touch, tools, t, T) < NEVER:
+    if touch.caught[t, 0] == 0.0 and first_crossing(surface, touch, tools, t, T) < NEVER:
         begin_catch(surface, touch, tools, t)
-    if touch.caught[p, 0] != 0.0:
+    if touch.caught[t, 0] != 0.0:
         settled = catch(surface, touch, tools, t, T)
-        load_rows(surface, touch, p, diagonal)
+        load_rows(surface, touch, t, diagonal)
         return 0.0 if settled else math.inf
     feel_tool(law, surface, touch, tools, t, T)
-    load_rows(surface, touch, p, diagonal)
-    return _change(touch, p)
+    load_rows(surface, touch, t, diagonal)
+    return _change(touch, t)
 
 
 @part
-def _change(touch: ContactWork, p: int) -> float:
+def _change(touch: ContactWork, t: int) -> float:
     """By which share a tool is pulled otherwise than by the guess before."""
     change = size = 0.0
     for a in range(3):
-        change += (touch.pull[p, a] - touch.before[p, a]) ** 2
-        size += touch.pull[p, a] ** 2
+        change += (touch.pull[t, a] - touch.before[t, a]) ** 2
+        size += touch.pull[t, a] ** 2
     return math.sqrt(change / size) if size > 0.0 else 0.0 if change == 0.0 else math.inf
 
 
 @part
-def _move_tool(tools: Tools, touch: ContactWork, t: int) -> None:
+def _move_tool(touch: ContactWork, t: int) -> None:
     """Solves for the motion of one proxy, with the forces that the last look gathered."""
-    p = t - tools.first
-    along, across = touch.inertia[p] + touch.grip[p, 0], touch.inertia[p] + touch.grip[p, 1]
+    along, across = touch.inertia[t] + touch.grip[t, 0], touch.inertia[t] + touch.grip[t, 1]
     wanted, own = 0.0, 0.0
     for a in range(3):
-        wanted += touch.way[p, a] * (touch.drive[p, a] + touch.pull[p, a])
-        own += touch.way[p, a] * touch.mean[p, a]
-    if touch.way[p, 3] == 0.0:
+        wanted += touch.way[t, a] * (touch.drive[t, a] + touch.pull[t, a])
+        own += touch.way[t, a] * touch.mean[t, a]
+    if touch.way[t, 3] == 0.0:
         wanted, own, along = 0.0, 0.0, across
-    wanted += touch.grip[p, 0] * own
+    wanted += touch.grip[t, 0] * own
     for a in range(3):
-        way = touch.way[p, a]
-        beside = touch.drive[p, a] + touch.pull[p, a] + touch.grip[p, 1] * (touch.mean[p, a] - own * way)
-        beside -= (wanted - touch.grip[p, 0] * own) * way
-        touch.mean[p, a] = beside / across + wanted * way / along
+        way = touch.way[t, a]
+        beside = touch.drive[t, a] + touch.pull[t, a] + touch.grip[t, 1] * (touch.mean[t, a] - own * way)
+        beside -= (wanted - touch.grip[t, 0] * own) * way
+        touch.mean[t, a] = beside / across + wanted * way / along
 
 
 @part
 def _settle(touch: ContactWork, tools: Tools, T: float, sigma: float, touch_ledger: Float) -> None:
     """New places, velocities and energies of the proxies, and the forces on them."""
-    for t in range(tools.first, tools.last):
-        p = t - tools.first
-        acted = touch.total[p] != 0.0 or touch.caught[p, 0] != 0.0 or tools.held[t] >= 0 or touch.well[p] != 0.0
+    for t in range(tools.mode.shape[0]):
+        acted = touch.total[t] != 0.0 or touch.caught[t, 0] != 0.0 or tools.held[t] >= 0 or touch.well[t] != 0.0
         for a in range(3):
-            w = sigma * touch.mean[p, a]
-            tools.touch_force[t, a] = touch.inertia[p] * w - touch.drive[p, a]
+            w = sigma * touch.mean[t, a]
+            tools.touch_force[t, a] = touch.inertia[t] * w - touch.drive[t, a]
             if not acted and sigma == 1.0:
                 tools.touch_force[t, a] = 0.0
             pay(tools, t, a, T, w, touch_ledger)
             book_drive(tools, t, a, T, w, touch_ledger)
             move_proxy(tools, t, a, T, w, touch_ledger)
-            tools.stretch[t, a] = touch.rubbed[p, a] if tools.mode[t] == TOUCH else 0.0
-        tools.slipping[t] = touch.slips[p]
-        tools.touching[t] = 1 if touch.total[p] > 0.0 or touch.caught[p, 0] != 0.0 else max(tools.held[t], 0)
+            tools.stretch[t, a] = touch.rubbed[t, a] if tools.mode[t] == TOUCH else 0.0
+        tools.slipping[t] = touch.slips[t]
+        tools.touching[t] = 1 if touch.total[t] > 0.0 or touch.caught[t, 0] != 0.0 else max(tools.held[t], 0)
         if tools.owed[t] < 0.0:  # it paid more
             touch_ledger[TOUCH_LOSS] -= tools.owed[t]
             tools.owed[t] = 0.0
-        tools.stored[t], tools.well[t] = touch.stored[p] - tools.owed[t], touch.well[p]
+        tools.stored[t], tools.well[t] = touch.stored[t] - tools.owed[t], touch.well[t]
         touch_ledger[TOUCH_STORED] += tools.stored[t]

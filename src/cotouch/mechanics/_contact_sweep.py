@@ -23,20 +23,20 @@ def first_crossing(surface: Surface, work: ContactWork, tools: Tools, t: int, T:
     All move straight, so the volume of triangle and point is a cubic in time, whose roots are found between its turns
     [Provot 1997]. Triangle, shares of its corners and ball go to `caught`.
     """
-    p, place, rate, mean, middle = t - tools.first, work.fit.place, work.rate, work.mean, tools.place
+    place, rate, mean, middle = work.fit.place, work.rate, work.mean, tools.place
     corner, near, caught = surface.corner, work.near, work.caught
     earliest = NEVER
     for bead in range(beads(tools, t)):
         along = bead_place(tools, t, bead)
-        for c in range(work.number[p]):
-            f = near[p, c]
+        for c in range(work.number[t]):
+            f = near[t, c]
             ia, ib, ic = corner[f, 0], corner[f, 1], corner[f, 2]
-            if _far(place, rate, mean, middle, tools.axis, ia, ib, ic, p, t, along, T):
+            if _far(place, rate, mean, middle, tools.axis, ia, ib, ic, t, along, T):
                 continue
-            f0 = _volume(place, rate, mean, middle, tools.axis, ia, ib, ic, p, t, along, 0.0)
-            f1 = _volume(place, rate, mean, middle, tools.axis, ia, ib, ic, p, t, along, T / 3.0)
-            f2 = _volume(place, rate, mean, middle, tools.axis, ia, ib, ic, p, t, along, T * (2.0 / 3.0))
-            f3 = _volume(place, rate, mean, middle, tools.axis, ia, ib, ic, p, t, along, T)
+            f0 = _volume(place, rate, mean, middle, tools.axis, ia, ib, ic, t, along, 0.0)
+            f1 = _volume(place, rate, mean, middle, tools.axis, ia, ib, ic, t, along, T / 3.0)
+            f2 = _volume(place, rate, mean, middle, tools.axis, ia, ib, ic, t, along, T * (2.0 / 3.0))
+            f3 = _volume(place, rate, mean, middle, tools.axis, ia, ib, ic, t, along, T)
             # a s³ + b s² + d s + f0
             a3 = 4.5 * (f3 - 3.0 * f2 + 3.0 * f1 - f0)
             b2 = 4.5 * (2.0 * f0 - 5.0 * f1 + 4.0 * f2 - f3)
@@ -66,10 +66,10 @@ def first_crossing(surface: Surface, work: ContactWork, tools: Tools, t: int, T:
                             last = half
                     if first < earliest and _within(work, tools, t, ia, ib, ic, along, last * T):
                         earliest = first
-                        caught[p, 1] = f
-                        caught[p, 9] = along
+                        caught[t, 1] = f
+                        caught[t, 9] = along
                         for q in range(3):
-                            caught[p, 6 + q] = work.spot[0, q]
+                            caught[t, 6 + q] = work.spot[0, q]
                 low = max(low, high)
     return earliest
 
@@ -84,7 +84,6 @@ def _far(
     ia: int,
     ib: int,
     ic: int,
-    p: int,
     t: int,
     along: float,
     T: float,
@@ -92,7 +91,7 @@ def _far(
     """Whether boxes around the ways of a triangle and a ball's middle are apart."""
     for a in range(3):
         x = middle[t, a] + along * axis[t, a]
-        y = x + T * mean[p, a]
+        y = x + T * mean[t, a]
         p0, p1, p2 = place[ia, a], place[ib, a], place[ic, a]
         q0, q1, q2 = p0 + T * rate[ia, a], p1 + T * rate[ib, a], p2 + T * rate[ic, a]
         if max(x, y) < min(p0, p1, p2, q0, q1, q2) or min(x, y) > max(p0, p1, p2, q0, q1, q2):
@@ -126,7 +125,6 @@ def _volume(
     ia: int,
     ib: int,
     ic: int,
-    p: int,
     t: int,
     along: float,
     time: float,
@@ -143,21 +141,21 @@ def _volume(
         place[ic, 1] + time * rate[ic, 1] - ay,
         place[ic, 2] + time * rate[ic, 2] - az,
     )
-    x = middle[t, 0] + along * axis[t, 0] + time * mean[p, 0] - ax
-    y = middle[t, 1] + along * axis[t, 1] + time * mean[p, 1] - ay
-    z = middle[t, 2] + along * axis[t, 2] + time * mean[p, 2] - az
+    x = middle[t, 0] + along * axis[t, 0] + time * mean[t, 0] - ax
+    y = middle[t, 1] + along * axis[t, 1] + time * mean[t, 1] - ay
+    z = middle[t, 2] + along * axis[t, 2] + time * mean[t, 2] - az
     return x * (uy * vz - uz * vy) + y * (uz * vx - ux * vz) + z * (ux * vy - uy * vx)
 
 
 @part
 def _within(work: ContactWork, tools: Tools, t: int, ia: int, ib: int, ic: int, along: float, time: float) -> bool:
     """Whether a point in the plane of a moved triangle lies in it; row 0 of `spot` gets the corners' shares."""
-    place, rate, spot, p = work.fit.place, work.rate, work.spot, t - tools.first
+    place, rate, spot = work.fit.place, work.rate, work.spot
     for a in range(3):
         spot[0, a] = place[ia, a] + time * rate[ia, a]
         spot[1, a] = place[ib, a] + time * rate[ib, a] - spot[0, a]
         spot[2, a] = place[ic, a] + time * rate[ic, a] - spot[0, a]
-        spot[3, a] = tools.place[t, a] + along * tools.axis[t, a] + time * work.mean[p, a] - spot[0, a]
+        spot[3, a] = tools.place[t, a] + along * tools.axis[t, a] + time * work.mean[t, a] - spot[0, a]
     uu, uv, vv, up, vp = 0.0, 0.0, 0.0, 0.0, 0.0
     for a in range(3):
         uu += spot[1, a] * spot[1, a]

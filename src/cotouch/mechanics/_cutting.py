@@ -121,7 +121,7 @@ def begin_cut(cutting: Cutting, world: World | None, state: State, tools: Tools 
         for a in range(cutting.before.shape[1]):
             cutting.before[i, a] = state.position[i, a]
     if tools is not None:
-        for t in range(tools.first, tools.last):
+        for t in range(tools.mode.shape[0]):
             fast = 0.0
             for a in range(3):
                 cutting.blade[t, a] = tools.place[t, a]
@@ -166,7 +166,7 @@ def decide_cuts(cutting: Cutting, memory: Float, position: Float, tools: Tools |
         return
     blades = 0
     if tools is not None:
-        for t in range(tools.first, tools.last):
+        for t in range(tools.mode.shape[0]):
             blades += 1 if at(tools.mode, t) == BLADE else 0
     if blades == 0 and not tears:
         return
@@ -186,7 +186,7 @@ def decide_cuts(cutting: Cutting, memory: Float, position: Float, tools: Tools |
         elif blades > 0:
             if tools is None:
                 continue
-            for t in range(tools.first, tools.last):
+            for t in range(tools.mode.shape[0]):
                 if at(tools.mode, t) == BLADE and _swept(cutting, e, position, tools, t):
                     cutting.wanted[e] = user
                     tools.debt[t] += cutting.toughness * cutting.area[e]

@@ -32,8 +32,8 @@ def solve_dense(op: Operator, ports: Ports, work: Workspace) -> None:
                 if s >= 0:
                     _add(matrix, r, s, at(work.scale, family) * at(op.entries, (family, e)))
     if ports.shape.shape[0] > 0:
-        for p in range(ports.first, ports.last):
-            gain = at(work.port_gain, p - ports.first)
+        for p in range(ports.row.shape[0]):
+            gain = at(work.port_gain, p)
             if gain != 0.0:
                 for r in range(among.shape[0]):
                     share = gain * at(ports.shape, (p, at(among, r)))

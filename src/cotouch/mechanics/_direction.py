@@ -114,12 +114,12 @@ def lack(op: Operator, T: float, work: Workspace, lanes: tuple[int, ...]) -> Non
 def lack_ports(op: Operator, ports: Ports, work: Workspace) -> None:
     """Takes off the right-hand side what ports that hold many rows resist v̂."""
     if ports.shape.shape[0] > 0:
-        for p in range(ports.first, ports.last):
+        for p in range(ports.row.shape[0]):
             for a in range(3):
                 goes = 0.0
                 for i in range(op.mass.shape[0]):
                     goes += at(ports.shape, (p, i)) * at(work.mean, (i, a))
-                goes *= at(work.port_gain, p - ports.first)
+                goes *= at(work.port_gain, p)
                 for i in range(op.mass.shape[0]):
                     put(work.rhs, (i, a), at(work.rhs, (i, a)) - at(ports.shape, (p, i)) * goes)
 
@@ -131,8 +131,8 @@ def hold_ports(op: Operator, ports: Ports, work: Workspace) -> None:
     There each port holds one row.
     """
     if ports.shape.shape[0] > 0 and work.dense.shape[0] > 0:
-        for p in range(ports.first, ports.last):
-            gain = at(work.port_gain, p - ports.first)
+        for p in range(ports.row.shape[0]):
+            gain = at(work.port_gain, p)
             for i in range(op.mass.shape[0]):
                 if at(work.rigid, i) < 0:
                     put(work.diagonal, i, at(work.diagonal, i) + gain * at(ports.shape, (p, i)) ** 2)
@@ -234,8 +234,8 @@ def level(
         for what in range(4):
             put(parts.sums, (b, what), 0.0)
     if ports.shape.shape[0] > 0:
-        for p in range(ports.first, ports.last):
-            _take_port(ports, parts, p, at(work.port_gain, p - ports.first), work)
+        for p in range(ports.row.shape[0]):
+            _take_port(ports, parts, p, at(work.port_gain, p), work)
     for i in range(op.mass.shape[0]):
         b, own = at(parts.part, i), at(work.diagonal, i)
         for family in range(op.entries.shape[0]):

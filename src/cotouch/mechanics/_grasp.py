@@ -118,15 +118,15 @@ def feel_grasp(
         gather: whether to add forces.
         lanes: fixes the width.
     """
-    p, k, b, modal = t - tools.first, tools.grip_stiffness[t], tools.grip_damping[t], surface.shape.shape[0] > 0
+    k, b, modal = tools.grip_stiffness[t], tools.grip_damping[t], surface.shape.shape[0] > 0
     hold_row, shape, offset, moved, held = surface.hold_row, surface.shape, tools.offset, work.fit.place, work.held
     wide, rows, gain = mean.shape[1] > 1, mean.shape[0], b + 0.5 * T * k
     for q in range(3):
-        held[p, q] = 0.0
+        held[t, q] = 0.0
     for a in range(4):
-        work.pull[p, a] = 0.0
-    work.total[p], work.way[p, 3] = 0.0, 0.0
-    work.grip[p, 0] = work.grip[p, 1] = tools.held[t] * gain
+        work.pull[t, a] = 0.0
+    work.total[t], work.way[t, 3] = 0.0, 0.0
+    work.grip[t, 0] = work.grip[t, 1] = tools.held[t] * gain
     for c in range(tools.held[t]):
         h = tools.hold[t, c]
         if modal:
@@ -134,14 +134,14 @@ def feel_grasp(
         for a in range(3):
             stretch = held_place(hold_row, surface.rest, moved, h, a, position) - tools.place[t, a]
             stretch -= offset[t * MOST_HELD + c, a]
-            rate = held_rate(hold_row, shape, h, a, mean) - work.mean[p, a]
-            held[p, 0] += stretch * stretch
-            held[p, 1] += stretch * rate
-            held[p, 2] += rate * rate
+            rate = held_rate(hold_row, shape, h, a, mean) - work.mean[t, a]
+            held[t, 0] += stretch * stretch
+            held[t, 1] += stretch * rate
+            held[t, 2] += rate * rate
             if not gather:
                 continue
             force = k * stretch + gain * rate
-            work.pull[p, a] += force
+            work.pull[t, a] += force
             if not modal:
                 i = hold_row[h, 0 if wide else a]
                 work.push[i, a if wide else 0] -= force
@@ -160,7 +160,7 @@ def feel_grasp(
 @part
 def hold_energy(work: ContactWork, tools: Tools, t: int, time: float, T: float) -> tuple[float, float]:
     """Energy in a grasp that moved for some time, of a step's length T, and what its dampers lost [J]."""
-    p, share = t - tools.first, time / T
-    start, along, square = work.held[p, 0], work.held[p, 1], work.held[p, 2]
+    share = time / T
+    start, along, square = work.held[t, 0], work.held[t, 1], work.held[t, 2]
     energy = 0.5 * tools.grip_stiffness[t] * max(start + time * (2.0 * along + time * square), 0.0)
     return energy, T * share * share * tools.grip_damping[t] * square

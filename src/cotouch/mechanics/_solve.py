@@ -263,8 +263,6 @@ def divide(diagonal: Float, rhs: Float, solution: Float, lanes: tuple[int, ...])
 def add_ports(
     diagonal: Float,
     shape: Float,
-    first: int,
-    last: int,
     gain: Float,
     small: Float,
     small_rhs: Float,
@@ -275,28 +273,26 @@ def add_ports(
 
     Args:
         diagonal: D, (rows,).
-        shape: the h_p, (.., rows); the ports are rows `first` to `last - 1`.
-        first: first port.
-        last: one past the last.
+        shape: the h_p, (ports, rows).
         gain: (ports,), >= 0.
         small: scratch (ports, ports).
         small_rhs: scratch (ports, width).
         solution: `D⁻¹ b` going in, (rows, width); the solution coming out.
         lanes: fixes the width.
     """
-    ports, rows = last - first, shape.shape[1]
+    ports, rows = shape.shape[0], shape.shape[1]
     # (I + √c G √c) y = √c Hx with G = H D⁻¹ Hᵀ is symmetric positive definite even where a gain is zero.
     for p in range(ports):
         root = np.sqrt(gain[p])
         for q in range(p + 1):
             product = 0.0
             for i in range(rows):
-                product += shape[first + p, i] * shape[first + q, i] / diagonal[i]
+                product += shape[p, i] * shape[q, i] / diagonal[i]
             small[p, q] = root * np.sqrt(gain[q]) * product
         small[p, p] += 1.0
         reading = splat(0.0, lanes)
         for i in range(rows):
-            reading = reading + shape[first + p, i] * load(solution, i, lanes)
+            reading = reading + shape[p, i] * load(solution, i, lanes)
         store(small_rhs, p, root * reading, lanes)
     for p in range(ports):  # Cholesky, in place in the lower triangle
         for q in range(p + 1):
@@ -318,7 +314,7 @@ def add_ports(
     for i in range(rows):
         push = splat(0.0, lanes)
         for p in range(ports):
-            push = push + (np.sqrt(gain[p]) * shape[first + p, i]) * load(small_rhs, p, lanes)
+            push = push + (np.sqrt(gain[p]) * shape[p, i]) * load(small_rhs, p, lanes)
         store(solution, i, load(solution, i, lanes) - (1.0 / at(diagonal, i)) * push, lanes)
 
 
@@ -336,8 +332,6 @@ def solve_step(
             add_ports(
                 work.diagonal,
                 ports.shape,
-                ports.first,
-                ports.last,
                 work.port_gain,
                 work.small,
                 work.small_rhs,

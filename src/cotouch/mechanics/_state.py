@@ -26,6 +26,7 @@ LEDGER_COLUMNS = 17
 _NO_BRAKE, _NO_PUSH = np.zeros(0), np.zeros((0, 0, 0))
 
 
+@by_address
 class State(NamedTuple):
     """Where a copy is; every array (rows, width), positions relative to the rest shape.
 
@@ -44,14 +45,11 @@ class State(NamedTuple):
     memory: Float
 
 
+@by_address
 class Links(NamedTuple):
     """The links to the neighbours: `F_ij = W [k (y - x̂) + c - b v̂]`, y in `samples[slot]`; springs have no b and c.
 
-    The arrays may hold the links of many users; those of this copy are `first` to `last - 1`.
-
     Attributes:
-        first: first link of this copy.
-        last: one past its last.
         strength: k, (links,) [N/m for the identity weight].
         weight: index of each link's weight, (links,).
         slot: where y of each link is, (links,).
@@ -60,8 +58,6 @@ class Links(NamedTuple):
         push: c, (links, rows, width), or (0, rows, width); such weights are diagonal [N for the identity weight].
     """
 
-    first: int
-    last: int
     strength: Float
     weight: Int
     slot: npt.NDArray[np.int64]
@@ -70,14 +66,11 @@ class Links(NamedTuple):
     push: Float = _NO_PUSH
 
 
+@by_address
 class Ports(NamedTuple):
     """What holds the copy at its ports during the step: `f = k (r̂ - ŷ) + b (ṙ̂ - ẏ̂) + push`, y the port's position.
 
-    The arrays may hold the ports of many users; those of this copy are `first` to `last - 1`.
-
     Attributes:
-        first: first port of this copy.
-        last: one past its last.
         row: the row that each port holds, (ports,); ignored where `shape` is given.
         shape: the row vectors h of `y = h x`, (ports, rows); (0, rows) for unit vectors.
         stiffness: k, (ports,) [N/m].
@@ -88,8 +81,6 @@ class Ports(NamedTuple):
         force: result: mean force of the step, (ports, width) [N].
     """
 
-    first: int
-    last: int
     row: Int
     shape: Float
     stiffness: Float
@@ -98,6 +89,31 @@ class Ports(NamedTuple):
     end: Float
     push: Float
     force: Float
+
+
+def idle_ports(row: Int, shape: Float, width: int) -> Ports:
+    """Ports that hold nothing yet.
+
+    Args:
+        row: that each holds, (ports,).
+        shape: the row vectors, (ports, rows), or (0, rows).
+        width: of a row.
+    """
+    line, rows = (lambda: np.zeros(row.size)), (lambda: np.zeros((row.size, width)))
+    return Ports(
+        row=row, shape=shape, stiffness=line(), damping=line(), start=rows(), end=rows(), push=rows(), force=rows()
+    )
+
+
+def own_ports(held: Ports, first: int, last: int) -> Ports:
+    """Those of one copy, in the memory of all.
+
+    Args:
+        held: ports of all copies.
+        first: the copy's first.
+        last: one past its last.
+    """
+    return Ports._make(array[first:last] for array in held)
 
 
 @by_address

@@ -96,12 +96,12 @@ def assemble(
     half, inertia = 0.5 * T, 2.0 * op.copy_scale / T
     for w in range(weights):
         work.gain[w] = local_damping[w] + extra_damping[w]
-    for link in range(links.first, links.last):
+    for link in range(links.slot.shape[0]):
         w = at(links.weight, link)
         put(work.gain, w, at(work.gain, w) + half * at(links.strength, link))
     pushed = links.push.shape[0] > 0
     if pushed:
-        for link in range(links.first, links.last):
+        for link in range(links.slot.shape[0]):
             w = at(links.weight, link)
             put(work.gain, w, at(work.gain, w) + at(links.brake, link))
     for family in range(families):
@@ -127,13 +127,13 @@ def assemble(
             weight, gain = op.weight[w], work.gain[w]
             for i in range(first, last):
                 work.diagonal[i] += gain * at(weight, i)
-        for link in range(links.first, links.last):
+        for link in range(links.slot.shape[0]):
             weight, strength, base = op.weight[links.weight[link]], links.strength[link], links.slot[link] * rows
             for i in range(first, last):
                 stretch = load(state.position, i, lanes) - load(links.samples, base + i, lanes)
                 store(work.rhs, i, load(work.rhs, i, lanes) - (strength * at(weight, i)) * stretch, lanes)
         if pushed:
-            for link in range(links.first, links.last):
+            for link in range(links.slot.shape[0]):
                 own, base = at(links.weight, link) * rows, link * rows
                 for i in range(first, last):
                     push = at(op.weight, own + i) * load(links.push, base + i, lanes)
@@ -142,7 +142,7 @@ def assemble(
         if mixed(op, WEIGHTS + w):  # what such a weight couples off the diagonal; its diagonal is in already
             for i in range(rows):
                 stretch = splat(0.0, lanes)
-                for link in range(links.first, links.last):
+                for link in range(links.slot.shape[0]):
                     if at(links.weight, link) == w:
                         sample = load(links.samples, at(links.slot, link) * rows + i, lanes)
                         stretch = stretch + at(links.strength, link) * (load(state.position, i, lanes) - sample)
@@ -156,10 +156,10 @@ def assemble(
                 store(work.rhs, i, b, lanes)
 
     dense = ports.shape.shape[0] > 0
-    for p in range(ports.first, ports.last):
+    for p in range(ports.row.shape[0]):
         k, b = at(ports.stiffness, p), at(ports.damping, p)
         gain = b + half * k
-        put(work.port_gain, p - ports.first, gain)
+        put(work.port_gain, p, gain)
         start, end = load(ports.start, p, lanes), load(ports.end, p, lanes)
         desired = (0.5 * k) * (start + end) + (b / T) * (end - start) + load(ports.push, p, lanes)
         if dense:
@@ -181,7 +181,7 @@ def port_work(op: Operator, state: State, ports: Ports, T: float, mean: Float, l
     """Mean force at every port, and the work `T v̂ᵀ f` that they did together."""
     dense = ports.shape.shape[0] > 0
     supplied = 0.0
-    for p in range(ports.first, ports.last):
+    for p in range(ports.row.shape[0]):
         place, rate = splat(0.0, lanes), splat(0.0, lanes)
         if dense:
             for i in range(op.mass.shape[0]):
@@ -212,13 +212,13 @@ def move(
 ) -> None:
     """New position, velocity and sample; work of every link; `v̂ᵀ W v̂` of every diagonal weight."""
     rows, weights = op.mass.shape[0], op.weight.shape[0]
-    for link in range(links.first, links.last):
+    for link in range(links.slot.shape[0]):
         put(link_work, link, 0.0)
     for w in range(weights):
         work.quadratic[w] = 0.0
     for first in range(0, rows, _BLOCK):
         last = min(first + _BLOCK, rows)
-        for link in range(links.first, links.last):
+        for link in range(links.slot.shape[0]):
             own = at(links.weight, link) * rows
             base = at(links.slot, link) * rows
             power = splat(0.0, lanes)
@@ -228,7 +228,7 @@ def move(
                 power = power + at(op.weight, own + i) * (rate * (middle - load(links.samples, base + i, lanes)))
             put(link_work, link, at(link_work, link) - T * at(links.strength, link) * total(power))
         if links.push.shape[0] > 0:
-            for link in range(links.first, links.last):
+            for link in range(links.slot.shape[0]):
                 own, brake = at(links.weight, link) * rows, at(links.brake, link)
                 base, power = link * rows, splat(0.0, lanes)
                 for i in range(first, last):
@@ -262,7 +262,7 @@ def move(
                 store(work.image, i, coupled, lanes)
                 square = square + coupled * load(work.mean, i, lanes)
             work.quadratic[w] += total(square)
-            for link in range(links.first, links.last):
+            for link in range(links.slot.shape[0]):
                 if at(links.weight, link) == w:
                     power = splat(0.0, lanes)
                     for i in range(rows):

@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
+from cotouch.passing import by_address
 
 Int = npt.NDArray[np.int32]
 
@@ -20,15 +21,13 @@ MOST_HELD = 64
 MOST_HELD_MODAL = 8
 
 
+@by_address
 class Tools(NamedTuple):
     """Proxies: position y, velocity w, mass m, NPMI like the body [Lee & Huang 2010, section II-B].
 
-    The arrays may hold the tools of many users; those of this copy are `first` to `last - 1`. Rows of four, the last
-    column zero.
+    Rows of four, the last column zero.
 
     Attributes:
-        first: first tool of this copy.
-        last: one past its last.
         mass: (tools,) [kg].
         radius: of the sphere; of a blade half its thickness, (tools,) [m].
         stiffness: of a contact, (tools,) [N/m].
@@ -70,8 +69,6 @@ class Tools(NamedTuple):
         drag: how much what it cuts, or owes, resists its motion in this step, (tools,) [Ns/m].
     """
 
-    first: int
-    last: int
     mass: Float
     radius: Float
     stiffness: Float
@@ -110,13 +107,23 @@ class Tools(NamedTuple):
     drag: Float
 
 
+def own_tools(held: Tools, first: int, last: int) -> Tools:
+    """Those of one copy, in the memory of all.
+
+    Args:
+        held: tools of all copies.
+        first: the copy's first.
+        last: one past its last.
+    """
+    each = [array.shape[0] // max(held.mode.size, 1) for array in held]  # rows of a tool
+    return Tools._make(array[first * rows : last * rows] for array, rows in zip(held, each, strict=True))
+
+
 def tools(count: int) -> Tools:
     """Room for so many tools, all zero, holding nothing."""
     line, row = (lambda: np.zeros(count)), (lambda: np.zeros((count, 4)))
     whole = lambda: np.zeros(count, dtype=np.int32)  # noqa: E731
     return Tools(
-        first=0,
-        last=count,
         mass=np.ones(count),
         radius=np.full(count, 0.01),
         stiffness=line(),

@@ -105,5 +105,5 @@ def force_felt(report: StepReport, tools: Tools | None) -> float:
     """
     force = report.force.sum(axis=0)
     if tools is not None:
-        force = force + tools.drive_force[tools.first : tools.last].sum(axis=0)[: force.size]
+        force = force + tools.drive_force.sum(axis=0)[: force.size]
     return float(np.linalg.norm(force))

@@ -8,7 +8,7 @@ import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.body import Body
-from cotouch.mechanics import Contact, Model, Ports, Surface, Tools
+from cotouch.mechanics import Contact, Model, Ports, Surface, Tools, idle_ports, own_ports
 from cotouch.members._device_table import DeviceTable
 from cotouch.members._file import SessionFile
 from cotouch.members._shared_model import SharedModel
@@ -120,20 +120,8 @@ def no_ports(model: Model, row: Sequence[int] = ()) -> Ports:
         model: in the kernels' form.
         row: rows of the model.
     """
-    ports, width = len(row), model.width
     rows = np.array(row, dtype=np.int32)
-    return Ports(
-        first=0,
-        last=ports,
-        row=rows,
-        shape=model.port_shapes(rows),
-        stiffness=np.zeros(ports),
-        damping=np.zeros(ports),
-        start=np.zeros((ports, width)),
-        end=np.zeros((ports, width)),
-        push=np.zeros((ports, width)),
-        force=np.zeros((ports, width)),
-    )
+    return idle_ports(rows, model.port_shapes(rows), model.width)
 
 
 def grips_of(body: Body, slot: int) -> list[int]:
@@ -199,9 +187,9 @@ class ScriptedHand:
         self._hands = hands
         self._cursor = hands.path_first[:-1].copy()
         self._lanes = model.lanes
-        self.ports = no_ports(model, hands.row.tolist())._replace(
-            first=int(hands.first[slot]), last=int(hands.first[slot + 1]), shape=hands.shape
-        )
+        self._ports = idle_ports(hands.row, hands.shape, model.width)
+        self._own = int(hands.first[slot]), int(hands.first[slot + 1])
+        self.ports = own_ports(self._ports, *self._own)
         self.surface: Surface | None = None
         self.tools: Tools | None = None
         self.contact: Contact | None = None
@@ -224,8 +212,8 @@ class ScriptedHand:
             end: of the step [s].
             T: length of the step [s].
         """
-        for port in range(self.ports.first, self.ports.last):
-            grip(self._hands, self.ports, self._cursor, port, end, T, self._lanes)
+        for port in range(*self._own):
+            grip(self._hands, self._ports, self._cursor, port, end, T, self._lanes)
         if self._touching is not None:
             before_step_alone(self._touching, self._slot, end, T)
 

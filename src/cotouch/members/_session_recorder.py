@@ -119,7 +119,7 @@ class SessionRecorder:
             local_damping=copy.damping,
             extra_damping=copy.extra_damping,
             ports=copy.ports,
-            tool_mass=() if peer.tools is None else peer.tools.mass[peer.tools.first : peer.tools.last],
+            tool_mass=() if peer.tools is None else peer.tools.mass,
             link_damping=None if self._law is not None else [link_damping(link.strength, link.damped) for link in held],
             budgets=[
                 link.guard.budget if link.guard is not None and np.isfinite(link.guard.budget) else None

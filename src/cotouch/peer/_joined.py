@@ -67,8 +67,6 @@ def joined(
     if laws and (len(laws) < count or any(mixed[w] for w in weight)):
         raise NetworkError("links with a law and links without one, or with weights that couple rows, do not mix")
     links = Links(
-        first=0,
-        last=count,
         strength=np.array(strength, dtype=np.float64),
         weight=np.asarray(weight, dtype=np.int32),
         slot=np.arange(count, dtype=np.int64),

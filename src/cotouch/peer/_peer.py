@@ -133,7 +133,7 @@ class Peer:
         self._joined = JoinedLinks(model, self.state.position, links, strength, weight)
         self._local = np.ascontiguousarray(local_damping, dtype=np.float64)
         self._extra = np.ascontiguousarray(extra_damping, dtype=np.float64)
-        self._work = model.workspace(ports.last - ports.first)
+        self._work = model.workspace(ports.row.size)
         self._ledger = np.zeros(LEDGER_COLUMNS)
         self._solver = tolerance, iterations
         self.tools = tools
@@ -149,9 +149,7 @@ class Peer:
         if tools is not None:
             if surface is None or contact is None:
                 raise ValueError("tools are given without a surface or a contact law; see surface_of and contact_by")
-            own = slice(tools.first, tools.last)
-            self._energy += 0.5 * float(tools.mass[own] @ (tools.rate[own] ** 2).sum(axis=1))
-            self._energy += float(tools.stored[own].sum())
+            self._energy += 0.5 * float(tools.mass @ (tools.rate**2).sum(axis=1)) + float(tools.stored.sum())
 
     @property
     def neighbours(self) -> tuple[int, ...]:
@@ -347,7 +345,7 @@ class Peer:
         supplied = did[SUPPLIED] + touch[DRIVE]
         report = StepReport(
             sample=sample,
-            force=self.ports.force[self.ports.first : self.ports.last].copy(),
+            force=self.ports.force.copy(),
             link_work=joined.work.copy(),
             speed=square[0],
             residual=energy - self._energy - supplied + lost - sum(joined.work.tolist()),

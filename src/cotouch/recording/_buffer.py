@@ -153,11 +153,10 @@ class Buffer:
             self._used[k] = UNSAID if used is None else used
             self._link_state[k] = LinkState.COUPLED if link_state is None else link_state
         if tools is not None and self._tools:
-            own = slice(tools.first, tools.last)
             for column, values in zip(
                 self._tools, (tools.place, tools.rate, tools.drive_force, tools.touch_force), strict=True
             ):
-                column[k] = values[own]
+                column[k] = values
         if index % self.extents.every == 0:
             at = self.states
             self._row[at] = k

@@ -269,7 +269,7 @@ class Recorder:
             width=width,
             axes=self._header.body.axes,
             rows=rows,
-            tools=0 if tools is None else tools.last - tools.first,
+            tools=0 if tools is None else tools.mode.size,
             steps=self._batch,
             every=self._every,
         )

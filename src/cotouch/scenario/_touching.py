@@ -17,7 +17,7 @@ from cotouch.device import (
     command_device,
     pull_proxy,
 )
-from cotouch.mechanics import AWAY, Contact, Ports, Surface, Tools, at, block, load, part, put, store
+from cotouch.mechanics import AWAY, Contact, Ports, Surface, Tools, at, block, load, own_tools, part, put, store
 from cotouch.passing import by_address
 from cotouch.scenario._hands import Hands, grip
 
@@ -40,8 +40,7 @@ class Touching(NamedTuple):
         release: to here, (tools,) [s].
         hands: drives of the tools without a device, one port for each tool.
         cursor: their waypoints, (tools,).
-        row: no meaning, (tools,); `Grips` wants it.
-        shape: likewise (0, 0).
+        drive: the drives of `tools`, as `grip` writes them.
         devices: the devices.
         states: where they are.
         couplings: which drives which tool.
@@ -57,8 +56,7 @@ class Touching(NamedTuple):
     release: Float
     hands: Hands
     cursor: Int
-    row: Int
-    shape: Float
+    drive: Ports
     devices: Devices
     states: DeviceState
     couplings: Couplings
@@ -137,19 +135,7 @@ def before_step(touching: Touching, i: int, end: float, T: float) -> bool:
             fine = pull_proxy(touching.devices, touching.states, touching.couplings, tools, t, end, T)
             finite = finite and fine
         else:
-            drive = Ports(
-                0,
-                0,
-                touching.row,
-                touching.shape,
-                tools.drive_stiffness,
-                tools.drive_damping,
-                tools.drive_start,
-                tools.drive_end,
-                tools.push,
-                tools.drive_force,
-            )
-            grip(hands, drive, touching.cursor, t, end, T, FOUR)
+            grip(hands, touching.drive, touching.cursor, t, end, T, FOUR)
     return finite
 
 
@@ -197,7 +183,7 @@ def tools_of(touching: Touching, i: int) -> Tools:
         touching: tools and devices of all users; changed in place.
         i: number of the user, from 0.
     """
-    return touching.tools._replace(first=int(touching.first[i]), last=int(touching.first[i + 1]))
+    return own_tools(touching.tools, int(touching.first[i]), int(touching.first[i + 1]))
 
 
 @part

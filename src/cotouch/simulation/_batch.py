@@ -2,6 +2,7 @@
 
 from copy import deepcopy
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import final
 
 import numpy as np
@@ -10,8 +11,9 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.errors import ScenarioError
 from cotouch.interrupt import check, flag
-from cotouch.mechanics import LEDGER_COLUMNS, Ports, cutting_of, unsettled
-from cotouch.scenario import ToolRecord, tool_record
+from cotouch.mechanics import LEDGER_COLUMNS, Links, State, cutting_of, idle_ports, own_ports, unsettled
+from cotouch.passing import Each
+from cotouch.scenario import ToolRecord, Touching, tool_record, tools_of
 from cotouch.simulation._ends import Ends
 from cotouch.simulation._engine import run
 from cotouch.simulation._law_setup import ends_of
@@ -23,6 +25,7 @@ from cotouch.simulation._layout import (
     TOOL_LEDGER,
     USER_LEDGER,
     WORLD_BOOKS,
+    Copies,
     Fields,
     Frames,
     Record,
@@ -153,18 +156,7 @@ def run_batch(prepared: Prepared) -> Outcome:
     )
     counter = np.zeros(users, dtype=np.int32)
     scratch = Scratch(
-        ports=Ports(
-            first=0,
-            last=ports,
-            row=hands.row,
-            shape=hands.shape,
-            stiffness=np.zeros(ports),
-            damping=np.zeros(ports),
-            start=np.zeros((ports, width)),
-            end=np.zeros((ports, width)),
-            push=np.zeros((ports, width)),
-            force=np.zeros((ports, width)),
-        ),
+        ports=idle_ports(hands.row, hands.shape, width),
         work=ready.workspace(int(np.diff(hands.first).max(initial=0))),
         ledger=np.zeros(LEDGER_COLUMNS),
         link_work=np.zeros(slots),
@@ -195,6 +187,7 @@ def run_batch(prepared: Prepared) -> Outcome:
         prepared.local_damping,
         prepared.extra_damping,
         fields,
+        _each_of(prepared, fields, scratch, touching, ends),
         record,
         scratch,
         touching,
@@ -225,4 +218,26 @@ def run_batch(prepared: Prepared) -> Outcome:
         frame_time=frames.time[:shown],
         ends=ends,
         cuts=None if cutting is None else marks_of(fields.memory, cutting.first, cutting.wanted.size),
+    )
+
+
+def _each_of(
+    prepared: Prepared, fields: Fields, scratch: Scratch, touching: Touching | None, ends: Ends | None
+) -> Copies:
+    """The copies one by one."""
+    topology, users = prepared.topology, range(fields.position.shape[0])
+    held, linked = (list(pairwise(first.tolist())) for first in (prepared.hands.first, topology.first))
+    strength, slot, more = topology.strength, scratch.slot, list[Float]()
+    if ends is not None:
+        strength, slot, more = ends.stiffness, ends.slot, [ends.brake, ends.push_rows]
+    return Copies(
+        states=Each([State._make(array[i] for array in fields[:5]) for i in users]),
+        links=Each(
+            [
+                Links(strength[a:b], topology.weight[a:b], slot[a:b], fields.samples, *(array[a:b] for array in more))
+                for a, b in linked
+            ]
+        ),
+        ports=Each([own_ports(scratch.ports, *span) for span in held]),
+        tools=None if touching is None else Each([tools_of(touching, i) for i in users]),
     )

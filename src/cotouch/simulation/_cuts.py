@@ -1,9 +1,10 @@
 """What a copy of a run loses by cutting, after each of its steps."""
 
 from cotouch.arrays import Float
-from cotouch.mechanics import CUT, CUT_COUNT, BodyForce, Cutting, Operator, hear_cuts, part, sever
-from cotouch.simulation._layout import Fields, Record, Timing, Topology
-from cotouch.simulation._ledger import add, state_of
+from cotouch.mechanics import CUT, CUT_COUNT, BodyForce, Cutting, Operator, State, hear_cuts, part, sever
+from cotouch.passing import Each
+from cotouch.simulation._layout import Record, Timing, Topology
+from cotouch.simulation._ledger import add
 
 
 @part
@@ -13,7 +14,7 @@ def cut_away(
     force: BodyForce,
     topology: Topology,
     timing: Timing,
-    fields: Fields,
+    states: Each[State],
     record: Record,
     ledger: Float,
     i: int,
@@ -28,16 +29,16 @@ def cut_away(
         force: what resists inside.
         topology: who is joined to whom.
         timing: which samples the step used.
-        fields: state of all copies; changed in place.
+        states: of all copies; changed in place.
         record: what is kept; written to.
         ledger: of the step; changed in place.
         i: the user.
         k: number of its step.
         lanes: fixes the width.
     """
-    state = state_of(fields, i)
+    state = states[i]
     for s in range(topology.first[i], topology.first[i + 1]):
-        hear_cuts(cutting, state.memory, fields.memory[topology.peer[s]], timing.used[s, k])
+        hear_cuts(cutting, state.memory, states[topology.peer[s]].memory, timing.used[s, k])
     sever(cutting, op, force, state, k, ledger, lanes)
     books = record.running.shape[1]
     add(record.running, i, books - 2, ledger[CUT])

@@ -30,9 +30,7 @@ from cotouch.mechanics import (
     BodyForce,
     Contact,
     Cutting,
-    Links,
     Operator,
-    Tools,
     at,
     begin_cut,
     closed_settle,
@@ -57,16 +55,14 @@ from cotouch.scenario import (
 )
 from cotouch.simulation._cuts import cut_away
 from cotouch.simulation._ends import Ends, ask, tell
-from cotouch.simulation._layout import Fields, Float, Frames, Record, Scratch, Timing, Topology
+from cotouch.simulation._layout import Copies, Fields, Float, Frames, Record, Scratch, Timing, Topology
 from cotouch.simulation._ledger import (
     add,
     copy,
     delay_work_of,
     keep_frames,
     keep_user,
-    ports_between,
     spring_energies,
-    state_of,
 )
 
 
@@ -80,6 +76,7 @@ def run(
     local_damping: Float,
     extra_damping: Float,
     fields: Fields,
+    copies: Copies,
     record: Record,
     scratch: Scratch,
     touching: Touching | None,
@@ -107,6 +104,7 @@ def run(
         local_damping: B_i as coefficients over the weights, (users, weights) [Ns/m].
         extra_damping: B_e likewise.
         fields: positions and velocities of all users, and what is under way; changed in place.
+        copies: one by one, in the memory of `fields` and `scratch`.
         record: written to.
         scratch: of one step; changed in place.
         touching: tools of all users; changed in place.
@@ -124,7 +122,7 @@ def run(
     initial, lowest, made, most_made = 0.0, 0.0, 0.0, 0.0
     tick = 0
     for i in range(users):
-        state = state_of(fields, i)
+        state = copies.states[i]
         if force is None:
             settle(op, state, scratch.ledger, lanes)
         else:
@@ -165,82 +163,19 @@ def run(
             put(scratch.slot, s, users * timing.ring + peer if index < 0 else kept)
         for p in range(p0, p1):
             grip(hands, scratch.ports, scratch.cursor, p, end, T, lanes)
-        ports = ports_between(scratch.ports, p0, p1)
-        if ends is None:
-            links = Links(
-                s0,
-                s1,
-                topology.strength,
-                topology.weight,
-                scratch.slot,
-                fields.samples,
-                topology.brake,
-                topology.push,
-            )
-        else:
-            if not ask(ends, topology, timing, scratch.slot, i, k, T):
-                record.lowest[0] = lowest
-                record.refused[0] = i + 1
-                return event
-            links = Links(
-                s0,
-                s1,
-                ends.stiffness,
-                topology.weight,
-                ends.slot,
-                fields.samples,
-                ends.brake,
-                ends.push_rows,
-            )
-        state = state_of(fields, i)
-        ledger = scratch.ledger
+        if ends is not None and not ask(ends, topology, timing, scratch.slot, i, k, T):
+            record.lowest[0] = lowest
+            record.refused[0] = i + 1
+            return event
+        state, links, ports = copies.states[i], copies.links[i], copies.ports[i]
+        ledger, link_work = scratch.ledger, scratch.link_work[s0:s1]
         if cutting is not None and force is not None and touching is None:
             begin_cut(cutting, force.world, state, None)
-        if touching is not None:
+        if touching is not None and copies.tools is not None:
             if not before_step(touching, i, end, T):
                 record.lowest[0] = lowest
                 return event
-            have = touching.tools
-            tools = Tools(
-                at(touching.first, i),
-                at(touching.first, i + 1),
-                have.mass,
-                have.radius,
-                have.stiffness,
-                have.loss,
-                have.friction,
-                have.kinetic,
-                have.viscosity,
-                have.snap,
-                have.snap_range,
-                have.snaps,
-                have.well,
-                have.owed,
-                have.axis,
-                have.stretch,
-                have.slipping,
-                have.share,
-                have.grip_stiffness,
-                have.grip_damping,
-                have.mode,
-                have.drive_stiffness,
-                have.drive_damping,
-                have.drive_start,
-                have.drive_end,
-                have.push,
-                have.place,
-                have.rate,
-                have.stored,
-                have.inside,
-                have.held,
-                have.hold,
-                have.offset,
-                have.drive_force,
-                have.touch_force,
-                have.touching,
-                have.debt,
-                have.drag,
-            )
+            tools = copies.tools[i]
             if cutting is not None and force is not None:
                 begin_cut(cutting, force.world, state, tools)
                 if contact is not None:
@@ -262,7 +197,7 @@ def run(
                     scratch.work,
                     ledger,
                     touching.ledger,
-                    scratch.link_work,
+                    link_work,
                     tolerance,
                     cap,
                     lanes,
@@ -291,7 +226,7 @@ def run(
                 i * timing.ring + (k & (timing.ring - 1)),
                 scratch.work,
                 ledger,
-                scratch.link_work,
+                link_work,
                 tolerance,
                 cap,
                 lanes,
@@ -308,7 +243,7 @@ def run(
                 i * timing.ring + (k & (timing.ring - 1)),
                 scratch.work,
                 ledger,
-                scratch.link_work,
+                link_work,
                 tolerance,
                 cap,
                 lanes,
@@ -317,7 +252,7 @@ def run(
             if touching is None:
                 decide_cuts(cutting, state.memory, state.position, None, i + 1, True)
             if force is not None:
-                dissipated += cut_away(cutting, op, force, topology, timing, fields, record, ledger, i, k, lanes)
+                dissipated += cut_away(cutting, op, force, topology, timing, copies.states, record, ledger, i, k, lanes)
         if ends is not None:
             tell(ends, topology, timing, ports, contact, force, op.copy_scale * op.firmness, i, k)
         for s in range(s0, s1):

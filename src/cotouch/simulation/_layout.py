@@ -6,11 +6,8 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float
-from cotouch.mechanics import (
-    Ports,
-    Workspace,
-)
-from cotouch.passing import by_address
+from cotouch.mechanics import Links, Ports, State, Tools, Workspace
+from cotouch.passing import Each, by_address
 
 Int = npt.NDArray[np.int32]
 
@@ -43,8 +40,6 @@ class Topology(NamedTuple):
         weight: index of its weight, (slots,).
         ends: the two users of each link, (links, 2).
         slot: a slot of each link, (links,).
-        brake: (0,), for the links of springs.
-        push: (0, rows, width), likewise.
     """
 
     first: Int
@@ -53,8 +48,6 @@ class Topology(NamedTuple):
     weight: Int
     ends: Int
     slot: Int
-    brake: Float
-    push: Float
 
 
 @by_address
@@ -90,6 +83,23 @@ class Fields(NamedTuple):
     tension: Float
     memory: Float
     samples: Float
+
+
+@by_address
+class Copies(NamedTuple):
+    """What each copy has of what all have, in the same memory.
+
+    Attributes:
+        states: of the fields.
+        links: to its neighbours.
+        ports: that hold it.
+        tools: None where nobody has tools.
+    """
+
+    states: Each[State]
+    links: Each[Links]
+    ports: Each[Ports]
+    tools: Each[Tools] | None
 
 
 @by_address

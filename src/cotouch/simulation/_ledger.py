@@ -6,8 +6,6 @@ from cotouch.mechanics import (
     ITERATIONS,
     WEIGHTS,
     Operator,
-    Ports,
-    State,
     at,
     inner,
     kernel,
@@ -159,17 +157,6 @@ def _unless_zero(ledger: Float, book: int, row: int, entry: int, value: float) -
 
 
 @inner
-def state_of(fields: Fields, i: int) -> State:
-    """The state of user i, in the arrays of all.
-
-    Args:
-        fields: of all users.
-        i: number of the user, from 0.
-    """
-    return State(fields.position[i], fields.velocity[i], fields.momentum[i], fields.tension[i], fields.memory[i])
-
-
-@inner
 def add(array: Float, row: int, column: int, value: float) -> None:
     """Adds to an entry.
 
@@ -193,29 +180,6 @@ def copy(target: Float, source: Float, lanes: tuple[int, ...]) -> None:
     """
     for i in range(source.shape[0]):
         store(target, i, load(source, i, lanes), lanes)
-
-
-@inner
-def ports_between(held: Ports, first: int, last: int) -> Ports:
-    """The ports of one user, in the arrays of all.
-
-    Args:
-        held: of all users.
-        first: of the user's.
-        last: one past its last.
-    """
-    return Ports(
-        first,
-        last,
-        held.row,
-        held.shape,
-        held.stiffness,
-        held.damping,
-        held.start,
-        held.end,
-        held.push,
-        held.force,
-    )
 
 
 @inner

@@ -13,7 +13,7 @@ import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.interrupt import check
-from cotouch.mechanics import Ports
+from cotouch.mechanics import idle_ports, own_ports
 from cotouch.peer import (
     ConstantLink,
     ContentForm,
@@ -81,6 +81,8 @@ class _World:
         self.sent = 0
         self.touching: Touching | None = deepcopy(prepared.touching)
         self.cursor = prepared.hands.path_first[:-1].copy()
+        hands = prepared.hands
+        self.ports = idle_ports(hands.row, hands.shape, prepared.model.width)
         self.peers = [self._peer(i) for i in range(users)]
         self.places: list[list[Float]] = [[] for _ in range(users)]
         self.position = [[peer.state.position.copy()] for peer in self.peers]
@@ -129,7 +131,6 @@ class _World:
                     side=int(i > j),
                     copies=timing.count.size,
                 )
-        ports, width = hands.row.size, ready.width
         return Peer(
             index=i,
             model=ready,
@@ -138,18 +139,7 @@ class _World:
             weight=[int(prepared.topology.weight[s]) for s in slots],
             local_damping=prepared.local_damping[i],
             extra_damping=prepared.extra_damping[i],
-            ports=Ports(
-                first=int(hands.first[i]),
-                last=int(hands.first[i + 1]),
-                row=hands.row,
-                shape=hands.shape,
-                stiffness=np.zeros(ports),
-                damping=np.zeros(ports),
-                start=np.zeros((ports, width)),
-                end=np.zeros((ports, width)),
-                push=np.zeros((ports, width)),
-                force=np.zeros((ports, width)),
-            ),
+            ports=own_ports(self.ports, int(hands.first[i]), int(hands.first[i + 1])),
             position=prepared.position[i],
             velocity=prepared.velocity[i],
             surface=None if self.touching is None else self.touching.surface,
@@ -255,15 +245,14 @@ class _World:
     def _step(self, peer: Peer, now: float, T: float) -> Sample:
         i, hands = peer.index, self.prepared.hands
         for p in range(hands.first[i], hands.first[i + 1]):
-            grip(hands, peer.ports, self.cursor, p, now, T, peer.model.lanes)
+            grip(hands, self.ports, self.cursor, p, now, T, peer.model.lanes)
         if self.touching is not None:
             before_step_alone(self.touching, i, now, T)
         report = peer.step(now, T)
         if self.touching is not None:
             after_step_alone(self.touching, i)
-            self.places[i].append(
-                self.touching.tools.place[self.touching.first[i] : self.touching.first[i + 1], :3].copy()
-            )
+            assert peer.tools is not None
+            self.places[i].append(peer.tools.place[:, :3].copy())
         self.position[i].append(peer.state.position.copy())
         self.velocity[i].append(peer.state.velocity.copy())
         self.end[i].append(now)

@@ -115,8 +115,6 @@ def prepare(scenario: Scenario) -> Prepared:
         weight=weight.astype(np.int32),
         ends=np.array(network.links, dtype=np.int32).reshape(-1, 2),
         slot=np.array([int(np.flatnonzero(slots.link == k)[0]) for k in range(len(network.links))], dtype=np.int32),
-        brake=np.zeros(0),
-        push=np.zeros((0, ready.operator_rows, ready.width)),
     )
     hands, ports = ports_of(scenario.hands, network.size, body, ready)
     rigid_tools: list[RigidTool] = []

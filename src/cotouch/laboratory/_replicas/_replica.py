@@ -15,7 +15,7 @@ from cotouch.arrays import Float
 from cotouch.compiled import routine, subroutine
 from cotouch.errors import ScenarioError
 from cotouch.laws import Law, law_named
-from cotouch.mechanics import Ports
+from cotouch.mechanics import Ports, idle_ports
 from cotouch.scenario import Hands, grip
 from cotouch.simulation import Prepared
 
@@ -228,19 +228,7 @@ def _holding(prepared: Prepared, steps: int) -> tuple[Float, Float, Float]:
     """Stiffness and damping of each port in each step, (ports, steps), and its force at rest in 0, (.., width)."""
     ports, timing = prepared.hands.row.size, prepared.schedule
     users, width = timing.count.size, prepared.model.width
-    zero = [np.zeros((ports, width)) for _ in range(4)]
-    held = Ports(
-        first=0,
-        last=ports,
-        row=prepared.hands.row,
-        shape=prepared.hands.shape,
-        stiffness=np.zeros(ports),
-        damping=np.zeros(ports),
-        start=zero[0],
-        end=zero[1],
-        push=zero[2],
-        force=zero[3],
-    )
+    held = idle_ports(prepared.hands.row, prepared.hands.shape, width)
     result = np.zeros((ports, steps)), np.zeros((ports, steps)), np.zeros((ports, steps, width))
     _gripped(
         prepared.hands,
