@@ -35,6 +35,7 @@ _IMPORT = re.compile(r"^[ \t]*from (cotouch[.\w]*) import (\([^)]*\)|.*)|^[ \t]*
 _COMMENT = re.compile(r"#.*")
 
 
+@functools.cache
 def _file_of(module: str) -> Path | None:
     """The file of a module of this package; of a package its `__init__.py`."""
     path = _PACKAGE.joinpath(*module.split(".")[1:])
@@ -353,6 +354,35 @@ def _not_kept(reason: str) -> None:
 _told: list[str] = []
 
 
+@final
+class _WhenAsked:
+    """A function's cache, opened when something is asked of it: most of what a process imports it never calls."""
+
+    def __init__(self, function: Any, apart: int | None, stamp: tuple[str, int] | None) -> None:
+        self._as, self._opened = (function, apart, stamp), None
+
+    def opened(self) -> Any:
+        """The cache; one that holds nothing where nothing can be kept."""
+        if self._opened is None:
+            self._opened = _open(*self._as)
+        return self._opened
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.opened(), name)
+
+
+def _open(function: Any, apart: int | None, stamp: tuple[str, int] | None) -> Any:
+    try:
+        cache: Any = _Cache(function)
+    except (OSError, RuntimeError) as error:
+        _not_kept(str(error) if isinstance(error, OSError) else "neither this package nor a home can be written")
+        return NullCache()
+    cache._impl.apart = apart
+    if stamp is not None:
+        cache.bind(stamp)
+    return cache
+
+
 def stamped(compiled: Any, *, apart: int | None = None) -> Any:
     """The compiled function with a cache on disk, which is bound to all sources that it is made of.
 
@@ -368,16 +398,9 @@ def stamped(compiled: Any, *, apart: int | None = None) -> Any:
     # As it is, this would compile it once more for each constant that another calls it with.
     find, plain = compiled.get_call_template, types.unliteral
     compiled.get_call_template = lambda args, kws: find(tuple(map(plain, args)), {k: plain(kws[k]) for k in kws})
-    try:
-        cache: Any = _Cache(compiled.py_func)
-    except (OSError, RuntimeError) as error:
-        _not_kept(str(error) if isinstance(error, OSError) else "neither this package nor a home can be written")
-    else:
-        compiled._cache = cache
-        cache._impl.apart = apart
-        source = Path(compiled.py_func.__code__.co_filename)
-        if source.is_file():
-            cache.bind(_stamp(source))
+    source = Path(compiled.py_func.__code__.co_filename)
+    # Of the sources as they are now: by the time that it is asked they may have been edited.
+    compiled._cache = _WhenAsked(compiled.py_func, apart, _stamp(source) if source.is_file() else None)
     return compiled
 
 
@@ -386,4 +409,4 @@ def cold(compiled: Any) -> bool:
     if getattr(compiled, "signatures", None):
         return False
     cache = getattr(compiled, "_cache", None)
-    return isinstance(cache, NullCache) or (isinstance(cache, _Cache) and not cache.mend())
+    return isinstance(cache, _WhenAsked) and (isinstance(cache.opened(), NullCache) or not cache.mend())
