@@ -80,7 +80,7 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Generator[Path
 
 def forget() -> None:
     """Sources are read once in a process."""
-    for function in (machine._read, machine._imported, machine._stamp):
+    for function in (machine._file_of, machine._read, machine._imported, machine._stamp):
         function.cache_clear()
 
 
