@@ -92,7 +92,7 @@ def main(options: Sequence[str]) -> int:
     early, late = (
         [*pytest, *(f"tests/{name}" for name in PATIENT if name.startswith(PLAIN) == early)] for early in (True, False)
     )
-    workers = str(max(2, len(os.sched_getaffinity(0))))
+    workers = max(2, len(os.sched_getaffinity(0)))
     with none_left():
         warm = subprocess.Popen([sys.executable, "tests/warm_up.py"], cwd=ROOT, preexec_fn=give_way)  # noqa: PLW1509
         checked, first = both(early, ["make", "--no-print-directory", "check"])
@@ -100,10 +100,11 @@ def main(options: Sequence[str]) -> int:
             return checked
         warm.wait()
         computing = [f"tests/{name}" for name in numerical(ROOT / "tests")]
-        shared = ["--dist", "worksteal", "-m", "not timed", "--warm", "-n", workers]
+        shared = ["--dist", "worksteal", "-m", "not timed", "--warm"]
         exact = [*pytest, *(f"tests/{name}" for name in ALONE)]
-        codes = both(exact, [*pytest, *shared, *computing], stand_back)
-        rest = [*pytest, *shared, *(f"--ignore={name}" for name in computing)]
+        codes = both(exact, [*pytest, *shared, "-n", str(workers), *computing], stand_back)
+        # Of these most wait for other processes and browsers.
+        rest = [*pytest, *shared, "-n", str(workers + 1), *(f"--ignore={name}" for name in computing)]
         return next(filter(None, (first, *codes, *both(late, rest))), 0)
 
 
