@@ -31,6 +31,7 @@ from cotouch.mechanics import (
     Tools,
     contact_by,
     contact_step,
+    own_ports,
     step,
     surface_of,
     tools,
@@ -129,7 +130,7 @@ def _run(
 def scene(body: Body, *, mode: int = TOUCH, steps: int = STEPS, spheres: int = 1) -> Scene:
     """A sphere over the middle of the top, which goes down into it and then to and fro; or some around the middle."""
     c = copy(body, steps=steps, basis="nodal" if body.truncation is None else "auto")
-    c = c._replace(ports=c.ports._replace(last=0))  # the tool is what holds this copy
+    c = c._replace(ports=own_ports(c.ports, 0, 0))  # the tool is what holds this copy
     surface = surface_of(c.model)
     own = tools(spheres)
     top = body.rest.max(axis=0)

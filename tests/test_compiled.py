@@ -15,6 +15,7 @@ from pathlib import Path
 from shutil import copytree, ignore_patterns
 from typing import Any
 
+import numba
 import pytest
 from numba.core.compiler import Flags
 from numba.core.dispatcher import Dispatcher
@@ -22,6 +23,7 @@ from numba.extending import overload
 
 import cotouch
 from cotouch import compiled as machine
+from cotouch import stamps as sources
 from cotouch.mechanics import settle, step
 from cotouch.network import rightmost
 
@@ -50,14 +52,14 @@ def dispatchers() -> dict[Path, list[Any]]:
 @pytest.mark.parametrize("compiled", [step, settle, rightmost])
 def test_the_cache_is_stamped_with_the_kernels_sources(compiled: Any):
     stamp = compiled._cache._cache_file._source_stamp
-    assert stamp == machine._stamp(Path(compiled.py_func.__code__.co_filename))
+    assert stamp == sources.stamp_of(Path(compiled.py_func.__code__.co_filename))
 
 
 def test_whatever_a_kernel_calls_counts():
     found = dispatchers()
     assert sum(map(len, found.values())) > 200
     for path, kernels in found.items():
-        counted = set(machine._sources(path))
+        counted = set(sources._sources(path))
         for compiled in kernels:
             function = compiled.py_func
             for name in function.__code__.co_names:
@@ -73,14 +75,14 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Generator[Path
     """A copy of the package, whose sources are those that are read."""
     copy = copytree(PACKAGE, tmp_path / "cotouch", ignore=ignore_patterns("__pycache__"))
     forget()
-    monkeypatch.setattr(machine, "_PACKAGE", copy)
+    monkeypatch.setattr(sources, "_PACKAGE", copy)
     yield copy
     forget()
 
 
 def forget() -> None:
     """Sources are read once in a process."""
-    for function in (machine._file_of, machine._read, machine._imported, machine._stamp):
+    for function in (sources._file_of, sources._read, sources._imported, sources.stamp_of):
         function.cache_clear()
 
 
@@ -103,7 +105,7 @@ ENGINE, STEP, ROOT = "simulation/_engine.py", "mechanics/_step.py", "network/_ri
 def test_an_edit_changes_the_stamp_of_what_it_concerns(name: str, concerned: set[str], elsewhere: Path):
     def stamps() -> dict[str, object]:
         forget()
-        return {kernel: machine._stamp(elsewhere / kernel) for kernel in (ENGINE, STEP, ROOT)}
+        return {kernel: sources.stamp_of(elsewhere / kernel) for kernel in (ENGINE, STEP, ROOT)}
 
     before = stamps()
     path = elsewhere / name
@@ -134,15 +136,15 @@ def test_an_edit_changes_the_stamp_of_what_it_concerns(name: str, concerned: set
 def test_every_form_of_an_import_counts(line: str, counted: set[str], everything: bool, tmp_path: Path):
     path = tmp_path / "foreign.py"
     path.write_text(line + "\n")
-    found = set(machine._sources(path))
+    found = set(sources._sources(path))
     assert found >= {path, PACKAGE / "compiled.py", *(PACKAGE / name for name in counted)}
     assert (PACKAGE / "web" / "_hub.py" in found) is everything
 
 
 def test_a_copy_with_the_same_content_needs_no_compilation(elsewhere: Path):
-    stamps = [machine._stamp(elsewhere / name) for name in (ENGINE, STEP, ROOT)]
-    assert step._cache._cache_file._source_stamp == stamps[1]  # pyright: ignore[reportFunctionMemberAccess]
-    assert rightmost._cache._cache_file._source_stamp == stamps[2]  # pyright: ignore[reportFunctionMemberAccess]
+    found = [sources.stamp_of(elsewhere / name) for name in (ENGINE, STEP, ROOT)]
+    assert step._cache._cache_file._source_stamp == found[1]  # pyright: ignore[reportFunctionMemberAccess]
+    assert rightmost._cache._cache_file._source_stamp == found[2]  # pyright: ignore[reportFunctionMemberAccess]
 
 
 def test_kernels_keep_their_names_and_documentation():
@@ -166,8 +168,8 @@ def test_cold_is_what_neither_memory_nor_disk_holds(tmp_path: Path, monkeypatch:
     assert not machine.cold(once)
     assert not machine.cold(fresh()), "the disk holds it"
     path.write_text(path.read_text() + "# Changed.\n")
-    machine._read.cache_clear()
-    machine._stamp.cache_clear()
+    sources._read.cache_clear()
+    sources.stamp_of.cache_clear()
     assert machine.cold(fresh()), "its source has changed"
     assert not machine.cold(len)
 
@@ -520,7 +522,9 @@ def test_memory_is_looked_through_less_often_while_something_is_compiled(usual: 
 
         return found
 
-    @machine.routine
+    compiled_here: Any = numba.njit  # not kept: in every run
+
+    @compiled_here
     def made(number: int) -> int:
         return seen(number)
 

@@ -4,11 +4,9 @@
 
 import contextlib
 import errno
-import functools
 import hashlib
 import importlib
 import os
-import re
 import time
 import warnings
 from collections.abc import Callable, Sequence
@@ -21,6 +19,7 @@ from numba.core import types
 from numba.core.caching import CompileResultCacheImpl, FunctionCache, IndexDataCacheFile, NullCache
 from numba.extending import intrinsic as numba_intrinsic
 
+from cotouch.stamps import stamp_of
 from cotouch.translation import compiler, entry_of, rebuilt
 
 try:
@@ -29,75 +28,6 @@ except ImportError:  # no Unix: each process compiles for itself
     fcntl = None
 
 F = TypeVar("F", bound=Callable[..., Any])
-
-_PACKAGE = Path(__file__).parent
-_IMPORT = re.compile(r"^[ \t]*from (cotouch[.\w]*) import (\([^)]*\)|.*)|^[ \t]*import (cotouch)", re.MULTILINE)
-_COMMENT = re.compile(r"#.*")
-
-
-@functools.cache
-def _file_of(module: str) -> Path | None:
-    """The file of a module of this package; of a package its `__init__.py`."""
-    path = _PACKAGE.joinpath(*module.split(".")[1:])
-    found = path / "__init__.py" if path.is_dir() else path.with_suffix(".py")
-    return found if found.is_file() else None
-
-
-@functools.cache
-def _read(path: Path) -> tuple[bytes, dict[str, str]]:
-    """A source, and from which modules it imports which names."""
-    source = path.read_bytes()
-    names: dict[str, str] = {}
-    for module, listed, everything in _IMPORT.findall(_COMMENT.sub("", source.decode(errors="replace"))):
-        for name in listed.strip("()").split(",") if listed else (everything,):
-            words = name.split()
-            if words:
-                names[words[-1]] = f"{module}.{words[0]}" if module else everything
-    return source, names
-
-
-@functools.cache
-def _imported(path: Path) -> frozenset[Path]:
-    """Files from which one imports something. A room only hands names on: what counts is where they come from."""
-    found: set[Path] = set()
-    for whole in _read(path)[1].values():
-        name = whole
-        while True:
-            module, _, last = name.rpartition(".")
-            file = _file_of(name) or _file_of(module)
-            if file is None:
-                break
-            if file.name != "__init__.py":
-                found.add(file)
-                break
-            handed = _read(file)[1]
-            if last not in handed or handed[last] == name:
-                found.update(file.parent.rglob("*.py"))  # Made on the spot, or the room as a whole.
-                break
-            name = handed[last]
-    return frozenset(found)
-
-
-def _sources(path: Path) -> list[Path]:
-    """Files whose content decides what the kernels of one are compiled to: those that it imports, and they in turn."""
-    found, new = {path, *(_PACKAGE / f"{name}.py" for name in ("compiled", "passing", "translation"))}, [path]
-    while new:
-        more = _imported(new.pop()) - found
-        found |= more
-        new.extend(more)
-    return sorted(found)
-
-
-@functools.cache
-def _stamp(path: Path) -> tuple[str, int]:
-    """Of what a file's kernels are made of: by content, so that neither a checkout nor a copy compiles them anew."""
-    digest, size = hashlib.blake2b(digest_size=16), 0
-    for file in _sources(path):
-        source = _read(file)[0]
-        size += len(source)
-        name = file.relative_to(_PACKAGE).as_posix() if _PACKAGE in file.parents else file.name
-        digest.update(f"{name} {len(source)}\n".encode() + source)
-    return digest.hexdigest(), size
 
 
 def intrinsic(generator: Any) -> Any:
@@ -400,7 +330,7 @@ def stamped(compiled: Any, *, apart: int | None = None) -> Any:
     compiled.get_call_template = lambda args, kws: find(tuple(map(plain, args)), {k: plain(kws[k]) for k in kws})
     source = Path(compiled.py_func.__code__.co_filename)
     # Of the sources as they are now: by the time that it is asked they may have been edited.
-    compiled._cache = _WhenAsked(compiled.py_func, apart, _stamp(source) if source.is_file() else None)
+    compiled._cache = _WhenAsked(compiled.py_func, apart, stamp_of(source) if source.is_file() else None)
     return compiled
 
 

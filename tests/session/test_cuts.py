@@ -141,7 +141,8 @@ class TestLies:
         world.check()
 
     def test_cut_to_pieces_all_goes_on(self, world: World) -> None:
-        ann, ben, _ = world.people
+        ann, ben, cleo = world.people
+        self.told(world, cleo, claim(cleo, np.ones(cuts_of(ann).size, dtype=np.bool_)))
         world.until(lambda: np.all(cuts_of(ann) > 0) and np.all(cuts_of(ben) > 0), 12.0)
         world.run(1.0)
         world.check()
