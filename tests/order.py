@@ -1,11 +1,11 @@
 """In which order tests run when several processes share them, so that all of these are done at about the same time.
 
-`--dist worksteal` gives each of two workers half of the list; whoever is done takes half of what the other has left,
-from its end. So one begins with what waits for other processes, the other with what computes longest, and what is quick
-is left for the end. Modules stay whole: their fixtures are made once.
+`--dist loadfile` hands out whole modules, whose fixtures are made once, to whoever has nothing left. So what takes long
+comes first, what waits and what computes in turns, and what is quick fills the gaps at the end.
 """
 
 from collections.abc import Sequence
+from itertools import zip_longest
 from pathlib import Path
 from typing import Protocol, TypeVar
 
@@ -66,56 +66,80 @@ _FILES = ("test_compiled.py", "test_document_blocks.py", "test_processors.py")
 _PROMPT = ("planning/test_workers.py", "simulation/test_animation.py")
 # Browsers, and runs of tests that are interrupted, the longest first.
 WAITING = (
-    "web/test_picture.py",
+    "control/test_control.py",
     "test_leftovers.py",
-    "web/test_shell_reach.py",
-    "web/test_shell_instruments.py",
-    "web/test_shell.py",
     "web/test_silence.py",
-    "cli/test_full_disk.py",
-    "web/test_picture_kinds.py",
+    "web/test_picture.py",
+    "web/test_shell_reach.py",
+    "web/test_pages.py",
     "simulation/test_animation.py",
+    "web/test_picture_kinds.py",
+    "web/test_shell.py",
+    "web/test_shell_instruments.py",
+    "cli/test_full_disk.py",
 )
 # What computes for long or compiles much, the longest first.
 COMPUTING = (
     "mechanics/test_force.py",
     "simulation/test_bodies.py",
-    "test_compiled.py",
-    "simulation/test_rigid.py",
-    "members/test_member.py",
-    "study/test_study.py",
-    "simulation/test_cutting.py",
-    "body/test_meshes.py",
-    "mechanics/test_grasp.py",
-    "members/test_live_law.py",
-    "test_document_blocks.py",
-    "members/test_succession.py",
-    "mechanics/test_cutting.py",
-    "mechanics/test_meeting.py",
-    "device/test_modulation.py",
-    "simulation/test_figures.py",
-    "planning/test_plan.py",
-    "cli/test_outputs.py",
     "hands/test_commanded_hand.py",
-    "test_processors.py",
+    "session/test_cut_bodies.py",
+    "session/test_heavy.py",
+    "planning/test_workers.py",
     "cli/test_plan_command.py",
-    "cli/test_cli.py",
-    "session/test_planner.py",
-    "laboratory/test_replicas.py",
-    "planning/test_springs.py",
-    "members/test_attack.py",
+    "session/test_rigid_tools.py",
+    "test_processors.py",
+    "session/test_bodies.py",
+    "study/test_study.py",
+    "simulation/test_rigid_tools_on_soft.py",
+    "test_compiled.py",
+    "mechanics/test_contact_material.py",
+    "laboratory/test_impedance.py",
+    "mechanics/test_contact_step.py",
+    "network/test_consensus.py",
+    "cli/test_outputs.py",
+    "session/test_cuts.py",
+    "simulation/test_cutting.py",
+    "laboratory/test_compare_report.py",
+    "planning/test_feel.py",
+    "haptics/test_one_law.py",
+    "test_document_blocks.py",
+    "body/test_meshes.py",
+    "members/test_member.py",
     "study/test_solid.py",
-    "simulation/test_world.py",
-    "simulation/test_rigid_tools.py",
-    "laws/test_known_answers.py",
-    "laboratory/test_compare.py",
+    "members/test_live_law.py",
+    "mechanics/test_contact_law.py",
     "simulation/test_tools.py",
-    "cli/test_laboratory_commands.py",
-    "simulation/test_materials.py",
+    "cli/test_cli.py",
+    "cli/test_interrupted.py",
+    "members/test_succession.py",
+    "laws/test_worlds.py",
+    "mechanics/test_meeting.py",
+    "simulation/test_rigid.py",
     "session/test_recovery.py",
-    "mechanics/test_rigid.py",
-    "mechanics/test_cut_skin.py",
+    "simulation/test_rigid_tools.py",
+    "session/test_parity.py",
+    "architecture/test_imports.py",
+    "planning/test_plan.py",
+    "test_interrupt.py",
+    "device/test_cartesian.py",
+    "planning/test_flood.py",
+    "recording/test_dataset.py",
     "simulation/test_mesh_body.py",
+    "simulation/test_figures.py",
+    "laboratory/test_replicas.py",
+    "architecture/test_docstrings.py",
+    "recording/test_audit.py",
+    "mechanics/test_cut_skin.py",
+    "session/test_real_cut.py",
+    "cli/test_laboratory_commands.py",
+    "session/test_recording.py",
+    "device/test_modulation.py",
+    "web/test_screen.py",
+    "mechanics/test_device_coupling.py",
+    "mechanics/test_cutting.py",
+    "planning/test_springs.py",
+    "cli/test_recording_commands.py",
 )
 
 
@@ -146,13 +170,9 @@ def module_of(nodeid: str) -> str:
 
 
 def ordered(items: Sequence[T]) -> list[T]:
-    """All of them, for two workers: the first half for one, the second for the other."""
+    """All of them, module by module, the longest first."""
     found: dict[str, list[T]] = {}
     for item in items:
         found.setdefault(module_of(item.nodeid), []).append(item)
-    waiting = [item for module in WAITING for item in found.pop(module, [])]
-    computing = [item for module in COMPUTING for item in found.pop(module, [])]
-    first, second = list[T](), list[T]()
-    for module in found.values():
-        (first if len(waiting) + len(first) < len(items) / 2 else second).extend(module)
-    return [*waiting, *first, *computing, *second]
+    both = [name for pair in zip_longest(WAITING, COMPUTING) for name in pair if name is not None]
+    return [item for module in [*both, *found] for item in found.pop(module, [])]

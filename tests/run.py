@@ -100,7 +100,7 @@ def main(options: Sequence[str]) -> int:
             return checked
         warm.wait()
         computing = [f"tests/{name}" for name in numerical(ROOT / "tests")]
-        shared = ["--dist", "worksteal", "-m", "not timed", "--warm"]
+        shared = ["--dist", "loadfile", "--no-loadscope-reorder", "-m", "not timed", "--warm"]
         exact = [*pytest, *(f"tests/{name}" for name in ALONE)]
         codes = both(exact, [*pytest, *shared, "-n", str(workers), *computing], stand_back)
         # Of these most wait for other processes and browsers.
