@@ -207,9 +207,7 @@ def plan(
             progress(done, total, best)
         return late()
 
-    stop: Flag = np.zeros(1, dtype=np.int64)
-    ending: Flag = np.zeros(1, dtype=np.int64)
-    telling: Flag = np.zeros(1, dtype=np.int64)
+    stop, ending, telling = (np.zeros(1, dtype=np.int64) for _ in range(3))
     problem = replace(problem, task=problem.task._replace(stop=stop))
     closing = 1.0 - _RESERVE if chosen_method == "local" else 1.0
     search = _Search(problem, tick)

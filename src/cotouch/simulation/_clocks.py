@@ -24,13 +24,9 @@ def step_lengths(scenario: Scenario, users: int, *, common: bool) -> Float:
     steps = scenario.steps
     most = most_steps(scenario)
     if steps.random is not None:
-        rows = [
-            np.random.Generator(np.random.PCG64(np.random.SeedSequence((scenario.seed, 1, i)))).uniform(
-                steps.random.low, steps.random.high, most
-            )
-            for i in range(users)
-        ]
-        lengths = np.array(rows)
+        low, high = steps.random.low, steps.random.high
+        seeds = (np.random.SeedSequence((scenario.seed, 1, i)) for i in range(users))
+        lengths = np.array([np.random.Generator(np.random.PCG64(seed)).uniform(low, high, most) for seed in seeds])
     else:
         lengths = np.broadcast_to(_periods(scenario)[:, None], (users, most))
     if common:

@@ -32,9 +32,8 @@ def channel(found: Modes) -> Section:
         charts.ages(found),
         "fig-ages",
         "<b>Age of the samples that the steps use.</b> Left: one direction, whose delay without jitter is "
-        f"{quantity(found.delay, 's')}. "
-        "Right: all directions; the steps are the links’ own delays. The buffered modes make every sample as old "
-        "as the oldest.",
+        f"{quantity(found.delay, 's')}. Right: all directions; the steps are the links’ own delays. The buffered modes "
+        "make every sample as old as the oldest.",
         "Left, age of samples over time in four modes; right, the share of samples older than a given age.",
     )
     positions = figure(
