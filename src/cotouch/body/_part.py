@@ -134,7 +134,8 @@ def grip_shares(parts: tuple[Part, ...], nodes: int) -> Float:
     """How much of each node what holds tools follows, (G + H, nodes).
 
     First the G points of all, those of one tool after the other; then of each tool its handle, which is their middle,
-    and the way from there to each. A force at such a way is one at its point and the opposite at the handle: it only turns.
+    and the way from there to each. A force at such a way is one at its point and the opposite at the handle: it only
+    turns.
 
     Args:
         parts: the bodies.

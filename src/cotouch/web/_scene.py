@@ -88,7 +88,7 @@ def _no_tools(body: Body, nodes: npt.NDArray[np.integer]) -> npt.NDArray[np.inte
 
 
 def held_tools(body: Body) -> list[tuple[int, int, int, int]]:
-    """First and one past the last of the drawn points of each tool that can be held, whose it is, and which of those."""
+    """First and one past the last of the drawn points of each tool that can be held, its user, and its number."""
     found: list[tuple[int, int, int, int]] = []
     first = 0
     for part in drawn_parts(body, (), cut_skin(body) if body.cut_count else None) if body.tools else ():
