@@ -28,6 +28,8 @@ from cotouch.mechanics._world_offset import follow_offset, offset_of
 # Looks at most that a step with obstacles takes, and the change of forces from one to the next at which they end.
 _LOOKS = 16
 _SETTLED = 1e-7
+# What rounding may add to how far a point comes, as a factor.
+_SURELY = 1.0 + 1e-9
 # Result of one point: force on the body, energy held, energy lost, what resists motion, stretch at the end, whether it
 # slips, and whether it passed through; then the normal, and what resists along it and across.
 _Point = tuple[
@@ -143,6 +145,7 @@ def _place(world: World, p: int, x: Float) -> tuple[float, float, float]:
 def take_up(world: World | None, memory: Float) -> None:
     """Takes the stretches that the last step came to as those that the next begins with."""
     if world is not None:
+        put(world.known, 0, 0.0)
         count = 4 * world.told.shape[0]
         for n in range(count):
             put(memory, world.first + n, at(memory, world.first + count + n))
@@ -152,6 +155,34 @@ def take_up(world: World | None, memory: Float) -> None:
                 put(memory, world.offset + n, at(memory, world.offset + count + n))
                 put(memory, world.offset + count + n, 0.0)
         begin_bodies(world.bodies)
+
+
+@part
+def _begin(world: World, x: Float) -> None:
+    """Notes where all points start, and how far each is from what it may meet."""
+    for p in range(world.moves):
+        ux, uy, uz = _place(world, p, x)
+        rx, ry, rz = at(world.rest, (p, 0)) + ux, at(world.rest, (p, 1)) + uy, at(world.rest, (p, 2)) + uz
+        clear = math.inf
+        for s in range(world.kind.shape[0]):
+            deep, _, _, _, _ = depth(at(world.kind, s), world.numbers, s, rx, ry, rz)
+            clear = min(clear, -deep)
+        put(world.start, (p, 0), ux)
+        put(world.start, (p, 1), uy)
+        put(world.start, (p, 2), uz)
+        put(world.start, (p, 3), clear)
+    put(world.known, 0, 1.0)
+
+
+@inner
+def _tell(world: World, p: int, fx: float, fy: float, fz: float) -> float:
+    """Keeps the force on a point; returns the square of what it changed by since the last look."""
+    change = (fx - at(world.told, (p, 0))) ** 2
+    change += (fy - at(world.told, (p, 1))) ** 2 + (fz - at(world.told, (p, 2))) ** 2
+    put(world.told, (p, 0), fx)
+    put(world.told, (p, 1), fy)
+    put(world.told, (p, 2), fz)
+    return change
 
 
 @part
@@ -174,8 +205,12 @@ def press_world(
     """
     if world is None:
         return True
-    change, size = 0.0, 0.0
+    change, size, far = 0.0, 0.0, 0.0
     for i in range(world.hold.shape[0]):  # what the last look leaned on has moved since
+        way = 0.0
+        for a in range(3):
+            way += abs(at(ahead, (i, a)) - at(x, (i, a)))
+        far = max(far, way)
         hold = at(world.hold, i)
         if hold != 0.0:
             for a in range(3):
@@ -184,10 +219,16 @@ def press_world(
         put(world.hold, i, 0.0)
     for n in range(world.couple.size):
         put(world.couple, n, 0.0)
+    far *= _SURELY * world.reach
+    if world.kind.shape[0] > 0 and at(world.known, 0) == 0.0:
+        _begin(world, x)
     for p in range(world.moves if world.kind.shape[0] > 0 else 0):
         if at(world.there, p) == 0.0 or point_away(world.bodies, memory, p):
             continue
-        ux, uy, uz = _place(world, p, x)
+        if at(world.start, (p, 3)) > far:  # it meets nothing on its way
+            change += _tell(world, p, 0.0, 0.0, 0.0)
+            continue
+        ux, uy, uz = at(world.start, (p, 0)), at(world.start, (p, 1)), at(world.start, (p, 2))
         vx, vy, vz = _place(world, p, ahead)
         rx, ry, rz = at(world.rest, (p, 0)) + ux, at(world.rest, (p, 1)) + uy, at(world.rest, (p, 2)) + uz
         fx = fy = fz = firm = 0.0
@@ -198,12 +239,8 @@ def press_world(
             fx, fy, fz, firm = fx + a, fy + b, fz + c, firm + resists
             if resists > 0.0 or along > 0.0:
                 _couple(world, p, nx, ny, nz, along - across, across)
-        change += (fx - at(world.told, (p, 0))) ** 2
-        change += (fy - at(world.told, (p, 1))) ** 2 + (fz - at(world.told, (p, 2))) ** 2
+        change += _tell(world, p, fx, fy, fz)
         size += fx * fx + fy * fy + fz * fz
-        put(world.told, (p, 0), fx)
-        put(world.told, (p, 1), fy)
-        put(world.told, (p, 2), fz)
         if firm == 0.0 and fx == 0.0 and fy == 0.0 and fz == 0.0:
             continue
         fx, fy, fz = firmness * fx, firmness * fy, firmness * fz
@@ -213,6 +250,7 @@ def press_world(
             put(out, (i, 1), at(out, (i, 1)) - share * fy)
             put(out, (i, 2), at(out, (i, 2)) - share * fz)
             put(world.hold, i, at(world.hold, i) + abs(share) * firm)
+    _mirror(world)
     more, beside = press_bodies(world, world.bodies, firmness, memory, x, ahead, T, out)
     change, size = change + more, size + beside
     return change <= _SETTLED * _SETTLED * size
@@ -220,37 +258,64 @@ def press_world(
 
 @inner
 def _couple(world: World, p: int, nx: float, ny: float, nz: float, more: float, across: float) -> None:
-    """Adds what resists motion of a point, `across I + more n nᵀ`, to what couples the rows that carry it."""
+    """Adds what resists motion of a point, `across I + more n nᵀ`, to the lower half of what couples the rows at it."""
     if world.couple.shape[0] > 0:
+        xx, yy, zz = more * nx * nx + across, more * ny * ny + across, more * nz * nz + across
+        yx, zx, zy = more * ny * nx, more * nz * nx, more * nz * ny
         for e in range(at(world.pointer, p), at(world.pointer, p + 1)):
-            i = 3 * at(world.rigid, at(world.row, e))
-            for other in range(at(world.pointer, p), at(world.pointer, p + 1) if i >= 0 else 0):
-                j, share = 3 * at(world.rigid, at(world.row, other)), at(world.share, e) * at(world.share, other)
-                for a in range(3):
-                    n = nx if a == 0 else ny if a == 1 else nz
-                    for b in range(3):
-                        m = nx if b == 0 else ny if b == 1 else nz
-                        place = (i + a, j + b)
-                        value = more * n * m + (across if a == b else 0.0)
-                        put(world.couple, place, at(world.couple, place) + share * value)
+            r, own = at(world.rigid, at(world.row, e)), at(world.share, e)
+            for other in range(at(world.pointer, p), at(world.pointer, p + 1) if r >= 0 else 0):
+                s = at(world.rigid, at(world.row, other))
+                if s > r:
+                    continue
+                i, j, share = 3 * r, 3 * s, own * at(world.share, other)
+                _add_couple(world, i, j, share * xx, share * yx, share * zx)
+                _add_couple(world, i + 1, j, share * yx, share * yy, share * zy)
+                _add_couple(world, i + 2, j, share * zx, share * zy, share * zz)
+
+
+@inner
+def _add_couple(world: World, i: int, j: int, a: float, b: float, c: float) -> None:
+    put(world.couple, (i, j), at(world.couple, (i, j)) + a)
+    put(world.couple, (i, j + 1), at(world.couple, (i, j + 1)) + b)
+    put(world.couple, (i, j + 2), at(world.couple, (i, j + 2)) + c)
+
+
+@inner
+def _mirror(world: World) -> None:
+    """What couples rows, of which the lower half is known, is symmetric."""
+    for i in range(world.couple.shape[0]):
+        for j in range(i):
+            put(world.couple, (j, i), at(world.couple, (i, j)))
 
 
 @part
 def lean_world(world: World | None, copy_scale: float, rate: Float, work: Workspace, lanes: tuple[int, ...]) -> None:
     """Puts what resists at the touched rows into the linear system, about the rate at which forces were worked out."""
     if world is not None:
+        rates = work.answer
+        for q in range(world.couple.shape[0]):
+            put(rates, q, at(rate, (at(work.among, q // 3), q % 3)))
         for i in range(world.hold.shape[0]):
             store(world.tried, i, load(rate, i, lanes), lanes)
             hold = copy_scale * at(world.hold, i)
             r = 3 * at(world.rigid, i)
             if r >= 0:
-                for a in range(3):
-                    resisted = 0.0
-                    for q in range(world.couple.shape[0]):
-                        hold = copy_scale * at(world.couple, (r + a, q))
-                        resisted += hold * at(rate, (at(work.among, q // 3), q % 3))
-                        put(work.dense, (r + a, q), at(work.dense, (r + a, q)) + hold)
-                    put(work.rhs, (i, a), at(work.rhs, (i, a)) + resisted)
+                fx = fy = fz = 0.0
+                for q in range(world.couple.shape[0]):
+                    value = at(rates, q)
+                    hx, hy, hz = (
+                        copy_scale * at(world.couple, (r, q)),
+                        copy_scale * at(world.couple, (r + 1, q)),
+                        copy_scale * at(world.couple, (r + 2, q)),
+                    )
+                    fx, fy, fz = fx + hx * value, fy + hy * value, fz + hz * value
+                    put(work.dense, (r, q), at(work.dense, (r, q)) + hx)
+                    put(work.dense, (r + 1, q), at(work.dense, (r + 1, q)) + hy)
+                    put(work.dense, (r + 2, q), at(work.dense, (r + 2, q)) + hz)
+                put(work.rhs, (i, 0), at(work.rhs, (i, 0)) + fx)
+                put(work.rhs, (i, 1), at(work.rhs, (i, 1)) + fy)
+                put(work.rhs, (i, 2), at(work.rhs, (i, 2)) + fz)
             elif hold != 0.0:
                 put(work.diagonal, i, at(work.diagonal, i) + hold)
                 store(work.rhs, i, load(work.rhs, i, lanes) + hold * load(rate, i, lanes), lanes)
