@@ -1,10 +1,7 @@
-from itertools import pairwise
-
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
-from cotouch.hands._motion import Mover, Turner, Wander
+from cotouch.hands._motion import Mover, Wander
 
 
 def test_it_reaches_a_goal_and_hardly_passes_it() -> None:
@@ -61,18 +58,3 @@ def test_wandering_stays_in_reach_and_differs_by_seed() -> None:
     assert np.ptp(one, axis=0).min() > 0.04
     assert np.abs(one - other).max() > 0.02
     assert np.abs(np.diff(one, axis=0)).max() < 0.05 * 2 * np.pi * 0.22 * 0.11
-
-
-def test_a_turner_goes_the_shortest_way_no_faster_than_it_may() -> None:
-    """From nearly half a turn one way to nearly half a turn the other: through the half, not back."""
-    turner = Turner()
-    turner.put(Rotation.from_rotvec([0.0, 0.0, 3.0]))
-    goal, seen = Rotation.from_rotvec([0.0, 0.0, -3.0]), [turner.turned]
-    for _ in range(400):
-        turner.move(goal, 0.002, speed=1.0, sharpness=60.0, rush=40.0)
-        seen.append(turner.turned)
-    steps = np.array([(b * a.inv()).as_rotvec() for a, b in pairwise(seen)])
-    assert np.abs(steps[:, :2]).max() < 1e-12
-    assert steps[:, 2].sum() == pytest.approx(2.0 * np.pi - 6.0, abs=1e-3)
-    assert (steps[:, 2] >= -1e-6).all()
-    assert steps[:, 2].max() == pytest.approx(0.002, rel=1e-6)

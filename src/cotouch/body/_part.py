@@ -141,7 +141,8 @@ def grip_shares(parts: tuple[Part, ...], nodes: int) -> Float:
         parts: the bodies.
         nodes: of all.
     """
-    points, ways = [np.zeros((0, nodes))], []
+    points: list[Float] = [np.zeros((0, nodes))]
+    ways: list[Float] = []
     for part in parts:
         if part.tool is not None and part.tool.grips:
             own = np.zeros((len(part.tool.grips), nodes))

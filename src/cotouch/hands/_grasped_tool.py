@@ -5,13 +5,12 @@ from typing import Any, final
 
 import numpy as np
 import numpy.typing as npt
-from scipy.spatial.transform import Rotation
 
 from cotouch.arrays import Float
 from cotouch.body import frame_of
 from cotouch.hands._grasped import vector
-from cotouch.hands._motion import Turner
 from cotouch.hands._shown import write_hand
+from cotouch.hands._turning import Turner, back, nearest_to, product, turned
 from cotouch.haptics import Quaternion, Vector
 from cotouch.mechanics import Model, Ports
 from cotouch.scenario import RigidTool, rows_of
@@ -48,7 +47,7 @@ class GraspedTool:
         ports.damping[self._arms] = 0.25 * tool.hand.damping
         self._position: Float | None = None
         self._turner: Turner | None = None  # of the pose to which springs turn it
-        self._frame: Rotation | None = None  # from the device's orientation to that
+        self._frame: Quaternion | None = None  # from the device's orientation to that
 
     def attach(self, position: Float) -> None:
         """Learns where the copy's rows are, as they move."""
@@ -81,17 +80,16 @@ class GraspedTool:
         """
         if self._turner is None:
             self._turner = Turner()
-            self._turner.put(Rotation.from_matrix(frame_of(self._masses()) @ np.linalg.inv(frame_of(self._rest))))
+            self._turner.put(nearest_to(frame_of(self._masses()) @ np.linalg.inv(frame_of(self._rest))))
         ports, turner = self._ports, self._turner
-        here = goal = turner.turned
-        ports.start[self._arms, :3] = here.apply(self._ways) - self._ways
+        here = goal = turner.turn
+        ports.start[self._arms, :3] = turned(here, self._ways) - self._ways
         if orientation is not None:
-            device = Rotation.from_quat(orientation)
             if self._frame is None:
-                self._frame = device.inv() * here
-            goal = device * self._frame
+                self._frame = product(back(orientation), here)
+            goal = product(orientation, self._frame)
         turner.move(goal, T, **_TURNING)
-        ports.end[self._arms, :3] = turner.turned.apply(self._ways) - self._ways
+        ports.end[self._arms, :3] = turned(turner.turn, self._ways) - self._ways
 
     def force(self) -> Vector:
         """Mean of what pulled its handle in the last step [N]."""

@@ -1,11 +1,10 @@
-"""How the place that a hand draws to moves, and turns: smoothly, however seldom or suddenly somebody says where to."""
+"""How the place that a hand draws to moves: smoothly, however seldom or suddenly somebody says where to."""
 
 import math
 from collections.abc import Sequence
 from typing import final
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 # Waves that a wandering place is the sum of, along each axis.
 _WAVES = 3
@@ -58,41 +57,6 @@ class Mover:
         else:
             free = self.rate = [r + c for r, c in zip(self.rate, change, strict=True)]
         self.place = [here + r * T for here, r in zip(self.place, free, strict=True)]
-
-
-@final
-class Turner:
-    """An orientation that follows a goal the shortest way, as a `Mover` follows a place.
-
-    Attributes:
-        turned: from the start.
-    """
-
-    def __init__(self) -> None:
-        """Starts at rest, not turned."""
-        self.turned = Rotation.identity()
-        self._mover = Mover(3)
-
-    def put(self, turned: Rotation) -> None:
-        """Turns it so, at rest."""
-        self.turned = turned
-        self._mover.put([0.0, 0.0, 0.0])
-
-    def move(self, goal: Rotation, T: float, *, speed: float, sharpness: float, rush: float) -> None:
-        """Goes on for T.
-
-        Args:
-            goal: how it is to be turned.
-            T: [s].
-            speed: that it does not go on to exceed [rad/s].
-            sharpness: as of `Mover.move` [1/s].
-            rush: greatest angular acceleration [rad/s²].
-        """
-        here, mover = self.turned, self._mover
-        # From step to step: a rotation vector from the start would leap where that is half a turn.
-        mover.place = [0.0, 0.0, 0.0]
-        mover.move((goal * here.inv()).as_rotvec().tolist(), T, speed=speed, sharpness=sharpness, rush=rush)
-        self.turned = Rotation.from_rotvec(mover.place) * here
 
 
 def _length(vector: Sequence[float]) -> float:

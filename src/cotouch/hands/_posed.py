@@ -4,11 +4,11 @@ from collections.abc import Sequence
 from typing import final
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from cotouch.arrays import Float
 from cotouch.body import frame_of, shares_of
-from cotouch.hands._motion import Mover, Turner
+from cotouch.hands._motion import Mover
+from cotouch.hands._turning import Turner, nearest_to, turn_of, turned
 from cotouch.mechanics import Model, Ports
 from cotouch.scenario import RigidTool, rows_of
 
@@ -29,18 +29,18 @@ class _PosedTool:
         self._arms = np.array(tool.part.tool.grips) - tool.handle
         self._at = shares_of(self._rest, tool.handle[None])[0]
         self._place, self._turn = Mover(3), Turner()
-        self.goal = self._place.place, self._turn.turned
+        self.goal = self._place.place, self._turn.turn
 
     def stay(self, position: Float) -> None:
         """Is drawn to where it is: its springs are relaxed."""
         masses = self._rest + position[self._rows, :3]
         self._place.put((self._at @ masses).tolist())
-        self._turn.put(Rotation.from_matrix(frame_of(masses) @ np.linalg.inv(frame_of(self._rest))))
+        self._turn.put(nearest_to(frame_of(masses) @ np.linalg.inv(frame_of(self._rest))))
 
     def rest_here(self, position: Float) -> None:
         """As `stay`, and it is to stay there."""
         self.stay(position)
-        self.goal = self._place.place, self._turn.turned
+        self.goal = self._place.place, self._turn.turn
 
     def move(self, gain: float, T: float, *, pointed: bool, **motion: float) -> None:
         ports, own = self._ports, self._own
@@ -60,8 +60,7 @@ class _PosedTool:
 
     def _held(self) -> Float:
         """How far what holds it has gone from its start, (4, 3) [m]."""
-        turned = self._turn.turned.apply(self._arms)
-        return np.array(self._place.place) + turned - self._arms - self._handle
+        return np.array(self._place.place) + turned(self._turn.turn, self._arms) - self._arms - self._handle
 
     def shown(self, position: Float) -> tuple[list[float], list[float], list[float]]:
         goal = self._handle + self._ports.end[self._own, :3].mean(axis=0)
@@ -107,7 +106,7 @@ class PosedTools:
         if not self.act:
             for tool in self._tools:
                 tool.rest_here(position)
-        self._tools[which].goal, self.led = (list(place), Rotation.from_rotvec(turn)), which
+        self._tools[which].goal, self.led = (list(place), turn_of(turn)), which
 
     def move(self, gain: float, T: float, position: Float, *, pointed: bool, **motion: float) -> None:
         """What they do in the coming step.

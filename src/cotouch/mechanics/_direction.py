@@ -9,7 +9,8 @@ from cotouch.mechanics._solve import solve_step
 from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
 from cotouch.mechanics._step import assemble
 from cotouch.mechanics._vector import at, load, put, splat, store, total
-from cotouch.mechanics._world_force import lean_world, press_world
+from cotouch.mechanics._world_force import press_world
+from cotouch.mechanics._world_lean import lean_world
 
 # How much of what the last look missed the next may leave.
 COARSE = 0.03

@@ -47,10 +47,13 @@ from cotouch.mechanics import (
 )
 from cotouch.scenario import (
     Hands,
+    Leading,
     ToolRecord,
     Touching,
     after_step,
     before_step,
+    begin_lead,
+    end_lead,
     grip,
     keep_tools,
     proxy_energy,
@@ -85,6 +88,7 @@ def run(
     touching: Touching | None,
     contact: Contact | None,
     cutting: Cutting | None,
+    leading: Leading | None,
     tool_record: ToolRecord | None,
     frames: Frames,
     ends: Ends | None,
@@ -94,9 +98,9 @@ def run(
 ) -> int:
     """Runs all events; returns how many were run before the motion left the range of floating point.
 
-    Without tools `touching`, `contact` and `tool_record` are None. Of a linear body
-    `force` is None, and so are `ends` where all links are springs: what concerns them is not even compiled. What a
-    law's link holds is its own: then what links did counts as delay work.
+    Without tools `touching` and `contact` are None, without devices of rigid tools `leading`, without both
+    `tool_record`. Of a linear body `force` is None, and so are `ends` where all links are springs: what concerns them
+    is not even compiled. What a law's link holds is its own: then what links did counts as delay work.
 
     Args:
         op: the body's operator; of a body with a material at rest.
@@ -112,6 +116,7 @@ def run(
         touching: tools of all users; changed in place.
         contact: the law by which tools touch.
         cutting: of a body that can be cut; None: it cannot.
+        leading: devices of rigid tools of all users; changed in place.
         tool_record: written to.
         frames: shapes that are kept for an animation; written to.
         ends: of all links under a law; changed in place.
@@ -140,6 +145,8 @@ def run(
         keep_user(record, hands, fields, scratch, topology, i, 0, lanes)
         if touching is not None:
             keep_tools(tool_record, touching, i, 0)
+        if leading is not None:
+            keep_tools(tool_record, leading.touching, i, 0)
     if ends is None:
         initial += spring_energies(op, topology, fields, record, scratch, 0, lanes)
     put(record.ticks, (0, 0), initial)
@@ -166,6 +173,9 @@ def run(
         for p in range(p0, p1):
             grip(hands, scratch.ports, scratch.cursor, p, end, T, lanes)
         ports = ports_between(scratch.ports, p0, p1)
+        if leading is not None and not begin_lead(leading, ports, fields.position[i], i, end, T):
+            record.lowest[0] = lowest
+            return event
         if ends is None:
             links = Links(
                 s0,
@@ -313,6 +323,8 @@ def run(
                 cap,
                 lanes,
             )
+        if leading is not None:
+            end_lead(leading, ports, state.position, i)
         if cutting is not None:
             if touching is None:
                 decide_cuts(cutting, state.memory, state.position, None, i + 1, True)
@@ -360,6 +372,8 @@ def run(
             keep_user(record, hands, fields, scratch, topology, i, (k + 1) // record.every, lanes)
             if touching is not None:
                 keep_tools(tool_record, touching, i, (k + 1) // record.every)
+            if leading is not None:
+                keep_tools(tool_record, leading.touching, i, (k + 1) // record.every)
             if i == timing.reference:
                 tick = (k + 1) // record.every
                 energy = 0.0

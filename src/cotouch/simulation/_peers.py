@@ -27,7 +27,15 @@ from cotouch.peer import (
     Sample,
     StepReport,
 )
-from cotouch.scenario import Touching, after_step_alone, before_step_alone, grip, tools_of
+from cotouch.scenario import (
+    Touching,
+    after_step_alone,
+    before_step_alone,
+    begin_lead_alone,
+    end_lead_alone,
+    grip,
+    tools_of,
+)
 from cotouch.simulation._coding import age_budget
 from cotouch.simulation._prepare import Prepared
 
@@ -80,6 +88,7 @@ class _World:
         self.queue: list[tuple[float, int, int, Sample | Packet]] = []  # arrival, number, receiver, sample
         self.sent = 0
         self.touching: Touching | None = deepcopy(prepared.touching)
+        self.leading = deepcopy(prepared.leading)
         self.cursor = prepared.hands.path_first[:-1].copy()
         self.peers = [self._peer(i) for i in range(users)]
         self.places: list[list[Float]] = [[] for _ in range(users)]
@@ -258,7 +267,11 @@ class _World:
             grip(hands, peer.ports, self.cursor, p, now, T, peer.model.lanes)
         if self.touching is not None:
             before_step_alone(self.touching, i, now, T)
+        if self.leading is not None:
+            begin_lead_alone(self.leading, peer.ports, peer.state.position, i, now, T)
         report = peer.step(now, T)
+        if self.leading is not None:
+            end_lead_alone(self.leading, peer.ports, peer.state.position, i)
         if self.touching is not None:
             after_step_alone(self.touching, i)
             self.places[i].append(

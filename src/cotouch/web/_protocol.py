@@ -63,7 +63,8 @@ class PointerMessage:
         _, slot, action, zero, number, point, x, y, z, radius, stiffness, sent, *last = parts
         if action >= len(_ACTIONS) or zero:
             raise PageError(f"the pointer's action is {action}; it must be 0 to 4, and the byte after it 0")
-        turns = _ACTIONS[action] == "pose"
+        mode = _ACTIONS[int(action)]
+        turns = mode == "pose"
         for name, given, most, unit in (
             ("target", (x, y, z), _FAR, "m"),
             ("turn" if turns else "edge", last, *((_TURNED, "rad") if turns else (_FAR, "m"))),
@@ -77,7 +78,7 @@ class PointerMessage:
         self.slot: int = slot
         self.number: int = number
         self.point: int = point
-        self.mode: HandMode = _ACTIONS[action]
+        self.mode: HandMode = mode
         self.target: tuple[float, float, float] = (x, y, z)
         self.radius: float = radius
         self.stiffness: float = stiffness
