@@ -157,12 +157,11 @@ def with_tools(
             held[-1] = np.concatenate([middle[None], held[-1] - middle])
             column = [[0.0, 0.0, 0.0, np.inf, 0.0, 0.0], *column]
             paths.append((np.zeros(1), np.zeros((1, 4))))
-        count = held[-1].shape[0]
+        count = len(column)
         shape = np.zeros((count, body.nodes))
         shape[:, rows_of(part, ready)] = held[-1]
         shapes.append(shape)
-        lines: Float = np.array(column)
-        columns.append(lines.T)
+        columns.append(np.array(column).T)
         forced.append(np.zeros(count, dtype=np.bool_))
         amplitude.append(np.zeros((count, hands.amplitude.shape[1])))
         owner += [table.user - 1] * count
