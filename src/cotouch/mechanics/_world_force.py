@@ -257,6 +257,18 @@ def press_world(
     return change <= _SETTLED * _SETTLED * size
 
 
+@inner
+def _forgets(world: World, memory: Float, p: int, points: int, kept: int) -> bool:
+    """Whether nothing is stretched at a point; then nothing will be where it meets nothing."""
+    held = 0.0
+    for s in range(world.kind.shape[0]):
+        for a in range(4):
+            place = 4 * (s * points + p) + a
+            held += abs(at(memory, world.first + place))
+            put(memory, kept + place, 0.0)
+    return held == 0.0
+
+
 @part
 def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: float) -> tuple[float, float, bool]:
     """What obstacles hold after a motion and lost in it; stretches at its end go to the second half of the memory.
@@ -279,8 +291,18 @@ def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: f
     for s in range(world.force.shape[0]):
         store(world.force, s, zero, (0, 0, 0, 0))
     begin_work(world.bodies)
+    far = 0.0
+    for i in range(world.hold.shape[0]):
+        way = 0.0
+        for a in range(3):
+            way += abs(at(ahead, (i, a)) - at(x, (i, a)))
+        far = max(far, way)
+    far *= _SURELY * world.reach
+    sure = at(world.known, 0) != 0.0 and world.offset < 0
     for p in range(world.moves if world.kind.shape[0] > 0 else 0):
         if at(world.there, p) == 0.0 or point_away(world.bodies, memory, p):
+            continue
+        if sure and at(world.start, (p, 3)) > far and _forgets(world, memory, p, points, kept):
             continue
         ux, uy, uz = _place(world, p, x)
         vx, vy, vz = _place(world, p, ahead)
