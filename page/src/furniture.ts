@@ -41,7 +41,7 @@ export class Furniture {
     // Whoever has pulled once knows how.
     this.off = store.on("frame", () => {
       const mode = store.frame?.copies.find((copy) => copy.slot === store.slot)?.mode;
-      if (mode === "grab" || mode === "ball") this.told();
+      if (mode === "grab" || mode === "ball" || mode === "pose") this.told();
     });
   }
 

@@ -24,6 +24,8 @@ export interface Part {
   name: string;
   vertices: number;
   colour: string | null;
+  /** Of a tool that can be led: whose it is, which of that user's, and where its handle is at rest [m]. */
+  tool?: { slot: number; number: number; handle: Vec };
 }
 
 /** What a server run shows; does not change while it runs. Lengths in m. */
@@ -228,8 +230,8 @@ export interface Frame {
   received: number;
 }
 
-export type Action = "ball" | "grab" | "free" | "blade";
-const ACTIONS: Action[] = ["ball", "grab", "free", "blade"];
+export type Action = "ball" | "grab" | "free" | "blade" | "pose";
+const ACTIONS: Action[] = ["ball", "grab", "free", "blade", "pose"];
 
 export interface PointerMessage {
   slot: number;
@@ -241,7 +243,7 @@ export interface PointerMessage {
   stiffness: number;
   /** performance.now() of the event [ms]. */
   time: number;
-  /** Of the blade, from the target to the other end [m]. */
+  /** Of the blade, from the target to the other end [m]; of a rigid tool how it is turned from its start [rad]. */
   edge: Vec;
 }
 

@@ -66,9 +66,15 @@ export class Store {
     return this.connection === "open" && !this.state?.ended && (this.state?.age ?? 0) > STALE;
   }
 
-  /** What the pointer does; a blade only where something can be cut. */
+  /** What the pointer can do: a blade only where something can be cut, and only a hand beside rigid tools. */
+  get tools(): Tool[] {
+    if (this.scene?.parts.some((part) => part.tool)) return ["grab"];
+    return this.scene?.cutting ? ["grab", "ball", "blade"] : ["grab", "ball"];
+  }
+
+  /** What it does. */
   get tool(): Tool {
-    return this.settings.tool === "blade" && !this.scene?.cutting ? "grab" : this.settings.tool;
+    return this.tools.includes(this.settings.tool) ? this.settings.tool : "grab";
   }
 
   /** The user whom whoever looks at this page is; null: who only watches is nobody. */

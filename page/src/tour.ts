@@ -31,7 +31,7 @@ const needs = (what: Doable, words: string) => (context: Context): string | null
 const ownCopy = (context: Context) => context.store.frame?.copies.find((copy) => copy.slot === context.store.slot);
 const grabbing = (context: Context): boolean => {
   const copy = ownCopy(context);
-  return copy?.mode === "grab" || copy?.mode === "ball";
+  return copy?.mode === "grab" || copy?.mode === "ball" || copy?.mode === "pose";
 };
 const force = (context: Context): number => Math.hypot(...(ownCopy(context)?.force ?? [0, 0, 0]));
 const hands = needs("hand", "This page may only watch; go on with →.");

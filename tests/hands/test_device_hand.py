@@ -6,18 +6,18 @@ Alone or one in each hand, at the body's scale or another.
 import os
 import signal
 import time
-from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 import psutil
 import pytest
+from tests.hands.led import Led
 
-from cotouch.device import PRESETS, DeviceSpec
 from cotouch.errors import DeviceError, SessionError
 from cotouch.hands import DeviceHand
-from cotouch.haptics import Cause, CouplingChoice, EndOptions, Flag, ServoReport
-from cotouch.mechanics import END, EnergyMessage
+from cotouch.hands._turning import product
+from cotouch.haptics import CouplingChoice
+from cotouch.mechanics import END
 from cotouch.members import SessionFile, SharedModel, Slot
 from cotouch.observers import HAND_MODES, CommandClient, MailboxFolder, view_fields
 from cotouch.peer import Peer
@@ -50,42 +50,35 @@ ground_stiffness = 200.0
 )
 TOOL = BLOCK + "\n[[tools]]\nuser = 1\nat = [0.09, 0.02, 0.02]\nradius = 0.008\n[tools.hand]\npath = [0.1, 0.0, 0.0]\n"
 GRASP = BLOCK + '\n[[tools]]\nuser = 1\nat = [0.06, 0.04, 0.04]\nradius = 0.012\nkind = "grasp"\n'
-RIGID = BLOCK + '\n[[tools]]\nuser = 2\nkind = "box"\nsize = [0.01, 0.01, 0.01]\nat = [0.03, 0.02, 0.1]\n'
+RIGID = """
+[session]
+users = 2
+[body]
+kind = "box"
+size = [0.08, 0.05, 0.03]
+resolution = 1
+mass = 0.2
+[between]
+damping = 20.0
+[steps]
+rate = 500
+[[tools]]
+user = 1
+kind = "box"
+resolution = 1
+size = [0.1, 0.02, 0.02]
+mass = 0.05
+at = [0.0, 0.0, 0.0405]
+[tools.hand]
+stiffness = 300
+damping = 6
+turning_stiffness = 2
+"""
 
 
-@dataclass
-class Led:
-    """A device that goes where it is told, and never lets its energy out."""
-
-    said: CouplingChoice = field(default_factory=CouplingChoice)
-    spec: DeviceSpec = PRESETS["omega"]
-    below: CouplingChoice | None = None
-    place: np.ndarray = field(default_factory=lambda: np.array([0.01, -0.02, 0.03]))
-    orders: list = field(default_factory=list)
-    given: float = 0.0
-    rate: tuple[float, float, float] = (0.0, 0.0, 0.0)
-
-    def couple(self, below: CouplingChoice) -> EndOptions:
-        self.below = below
-        return self.said.over(below).options(self.spec, period=1e-3, force=6.0)
-
-    def read(self) -> ServoReport | None:
-        self.given += 1e-3  # what a hand that moves puts in
-        place = tuple(self.place.tolist())
-        nothing = (0.0, 0.0, 0.0)
-        word = EnergyMessage(given=self.given)
-        return ServoReport(0.0, 1, place, self.rate, nothing, nothing, word, 0.0, 0.0, Cause(0), 0, Flag(0))
-
-    def order(self, place, word, *, enable=True) -> None:
-        self.orders.append((place, word))
-
-
-def led(text: str, towards: list[float], *links: Led) -> tuple[DeviceHand, Peer, Led, float]:
-    """Three hundred steps of one copy while devices go somewhere; the most that any leaves unexplained [J]."""
-    session = SessionFile.from_toml(text, source="a test")
-    replica = SharedModel.build(session)
-    model, links = replica.model(1), links or (Led(),)
-    link = links[0]
+def peer_of(session: SessionFile, replica: SharedModel, *links: Led) -> tuple[DeviceHand, Peer]:
+    """The first copy, and what devices do to it."""
+    model = replica.model(1)
     hand = DeviceHand(Slot.of(session, replica, 0, model), link=links)  # type: ignore[arg-type]
     shape = (replica.body.nodes, replica.body.dimension)
     peer = Peer(
@@ -104,17 +97,32 @@ def led(text: str, towards: list[float], *links: Led) -> tuple[DeviceHand, Peer,
         contact=hand.contact,
     )
     hand.attach(peer.state.position)
+    return hand, peer
+
+
+def led(text: str, towards: list[float], *links: Led) -> tuple[DeviceHand, Peer, Led, float]:
+    """Three hundred steps of one copy while devices go somewhere; the most that any leaves unexplained [J]."""
+    session = SessionFile.from_toml(text, source="a test")
+    links = links or (Led(),)
+    link = links[0]
+    hand, peer = peer_of(session, SharedModel.build(session), *links)
     start, residual, did = link.place.copy(), 0.0, 0.0
     for k in range(1, 301):
         for one in links:
             one.place = start + min(1.0, k / 100) * np.array(towards)
         hand.before(5e-3 * k, 5e-3)
+        before = peer.state.position.copy()
         report = peer.step(5e-3 * k, 5e-3)
         hand.after()
         residual = max(residual, abs(float(report.residual)))
         did += report.supplied + report.drive_work
+        if peer.model.body.tools:  # what turns is the hand's
+            turns = np.abs(hand.ports.shape.sum(axis=1)) < 1e-9
+            moved = hand.ports.shape[turns] @ (peer.state.position - before)
+            did -= float((hand.ports.force[turns] * moved).sum())
     # Both ledgers of the proxies' ports are the same: the body's, and the devices', in their own metres and newtons.
-    assert sum(hold._end._end.number(END.work) for hold in hand._holds) == pytest.approx(did, rel=1e-9, abs=1e-12)
+    booked = sum(hold._end._end.number(END.work) for hold in hand._holds[: len(links)])
+    assert booked == pytest.approx(did, rel=1e-9, abs=1e-12)
     return hand, peer, link, residual
 
 
@@ -195,6 +203,69 @@ def test_the_damper_pulls_towards_the_velocity_of_the_device_in_its_own_metres(t
     assert push == pytest.approx(damping * 4.0 * 0.02)  # the body's velocity is four times the device's
 
 
+def angle(peer: Peer) -> float:
+    """By which the first rigid tool is turned about z [rad]."""
+    first = peer.model.body.tools[0].first
+    place = (peer.model.body.rest + peer.model.to_nodes(peer.state.position))[first : first + 4]
+    edge = place[0] - place[2] + place[1] - place[3]
+    return float(np.arctan2(edge[1], edge[0]))
+
+
+def test_a_rigid_tool_is_led_by_its_handle_and_keeps_its_orientation():
+    """Pressed on one end of the block, that is felt at the handle and does not turn it."""
+    text = RIGID.replace("at = [0.0,", "handle = [0.04, 0.0, 0.0]\nat = [0.03,").replace("[0.1,", "[0.02,")
+    hand, peer, link, residual = led(text, [0.0, 0.0, -0.02])
+    assert residual < 1e-12
+    assert hand.tools is None
+    moved = peer.model.to_nodes(peer.state.position)
+    assert moved[4:, 2] == pytest.approx(-0.0198, abs=1e-4)  # heard first on its way
+    assert np.array(link.orders[-1][0]) == pytest.approx(link.place, abs=1e-4)
+    assert moved[:4, 2].mean() < -1e-3
+    assert np.ptp(moved[:4, 2]) > 1e-3  # the block tilts
+    shown = {name: np.zeros(shape, kind) for name, (shape, kind) in view_fields(_body(text), users=2, hands=1).items()}
+    hand.show(shown)
+    assert HAND_MODES[int(shown["mode"][0])] == "pose"
+    assert shown["place"][0] == pytest.approx([0.07, 0.0, 0.0405 - 0.0198], abs=1e-4)
+
+
+def test_a_device_that_says_how_it_is_turned_turns_its_tool():
+    """From where it was heard first, also by more than half a turn; one that falls silent leaves it as it is."""
+    tilt = (0.6, 0.0, 0.0, 0.8)  # however the device is held when it is heard first
+    link = Led(orientation=tilt)
+    session = SessionFile.from_toml(RIGID, source="a test")
+    replica = SharedModel.build(session)
+    hand, peer = peer_of(session, replica, link)
+    seen: list[float] = []
+    for k in range(1, 401):
+        half = 0.01 * min(k - 1, 200)
+        upright = (0.0, 0.0, float(np.sin(half)), float(np.cos(half)))
+        link.orientation = None if k > 300 else product(upright, tilt)
+        hand.before(2e-3 * k, 2e-3)
+        residual = abs(float(peer.step(2e-3 * k, 2e-3).residual))
+        hand.after()
+        assert residual < 1e-12
+        seen.append(angle(peer))
+    turned = np.unwrap(seen)
+    assert turned[299] == pytest.approx(4.0, abs=0.02)
+    assert turned[-1] == pytest.approx(turned[299], abs=1e-3)
+    assert np.abs(np.diff(turned)).max() < 0.03  # nothing leaps where a rotation vector would
+
+
+def test_the_other_tools_of_a_slot_rest_and_who_has_none_holds_the_body():
+    other = RIGID.split("[[tools]]")[1].replace("0.0, 0.0, 0.0405", "0.0, 0.2, 0.0")
+    hand, peer, _, residual = led(RIGID + "[[tools]]" + other, [0.0, 0.0, 0.02], Led(said=CouplingChoice(tool=2)))
+    assert residual < 1e-12
+    moved = peer.model.to_nodes(peer.state.position)
+    assert moved[8:, 2] == pytest.approx(0.0198, abs=1e-4)
+    assert np.abs(moved[4:8]).max() < 1e-9
+    assert len(hand.nodes) == hand.ports.row.size == 10
+    hand, peer, _, residual = led(RIGID.replace("user = 1", "user = 2"), [0.0, 0.0, 0.02])
+    assert residual < 1e-12
+    assert hand.tools is None
+    assert len(hand.nodes) == 1
+    assert peer.model.to_nodes(peer.state.position)[hand.nodes[0], 2] == pytest.approx(0.0198, abs=1e-3)
+
+
 def test_a_device_in_each_hand_moves_a_tool_each():
     two = TOOL + "\n[[tools]]\nuser = 1\nat = [0.09, 0.06, 0.02]\nradius = 0.008\n"
     hand, _, _, residual = led(two, [0.0, 0.0, 0.01], Led(), Led(said=CouplingChoice(scale=2.0)))
@@ -231,7 +302,12 @@ def test_a_device_in_each_hand_moves_a_tool_each():
         (POINT, [{}, {}], "what hand 2 of user 1 holds, which has 0; give the session's file another"),
         (BLOCK, [{"tool": 1}, {"tool": 1}], "two devices are to move the same tool of user 1"),
         (POINT + '[[session.devices]]\ncoupling = "virtual"\n', [{}], "friction of Force Dimension omega.3 is 0"),
-        (RIGID, [{}], "the session has rigid tools, which no device leads or meets; take part without a device"),
+        (RIGID, [{"tool": 2}], "tool 2 of user 1, which has only one tool"),
+        (
+            RIGID.partition("[tools.hand]")[0],
+            [{}],
+            r"tool 1 of user 1, which has no \[tools.hand\] whose springs turn it",
+        ),
     ],
 )
 def test_what_a_slot_has_not_is_refused_in_a_sentence(text: str, links: list[dict], said: str):

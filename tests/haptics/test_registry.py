@@ -68,8 +68,9 @@ def test_words_that_ask_for_nothing_are_refused(text: str):
     ("options", "said"),
     [
         ({"variant": "falcon"}, 'has no variant "falcon"; its variants: phantom, cartesian, touch'),
-        ({"mass": 1.0}, 'has no option "mass"; its options: hand, sweep, viscous'),
+        ({"mass": 1.0}, 'has no option "mass"; its options: hand, sweep, viscous, turn'),
         ({"sweep": 4}, "sweep is 4; it must be from 0 to 3"),
+        ({"turn": 4}, "turn is 4 rad; it must be from 0 to 3 rad"),
         ({"viscous": -1}, "viscous is -1 Ns/m; it must be from 0 to 20 Ns/m"),
         ({"variant": "phantom", "viscous": 1}, "viscous is 1 Ns/m, but a PHANToM has joints; leave it out"),
     ],

@@ -3,15 +3,30 @@
 import os
 import time
 from collections.abc import Callable, Generator
+from dataclasses import replace
 from math import inf, nan
 from pathlib import Path
 
+import numpy as np
 import pytest
 from tests.haptics.plant import DEAF, FROZEN, NAN, SLOW, THROW, Plant, PlantDevice
 from tests.stalls import Stalls
 
-from cotouch.haptics import Cause, DeviceChoice, Order, Servo, ServoReport, ServoSettings
-from cotouch.haptics._mailboxes import OrderWriter, ReportReader
+from cotouch.device import PRESETS
+from cotouch.haptics import (
+    Cause,
+    DeviceChoice,
+    EndOptions,
+    Order,
+    SafetyLimits,
+    Servo,
+    ServoCore,
+    ServoReport,
+    ServoSettings,
+    SimulatedOnClock,
+    simulated_model,
+)
+from cotouch.haptics._mailboxes import OrderWriter, ReportReader, ReportWriter
 from cotouch.haptics._servo import _hung_up
 from cotouch.mechanics import EnergyMessage
 
@@ -130,6 +145,35 @@ def test_a_loop_whose_peer_is_dead_ends_before_it_is_silent(plant: Plant, loop: 
     loop.until(lambda: not loop.runs, "its end")
     loop.until(lambda: plant.force == 0.0, "no force")
     assert causes(loop) == Cause.PEER
+
+
+def test_how_a_handle_is_turned_comes_to_the_peer(tmp_path: Path):
+    now, spec = [0.0], PRESETS["phantom"]
+    device = SimulatedOnClock(simulated_model("cartesian"), spec, turn=1.0, clock=lambda: now[0])
+    device.open()
+    core = ServoCore(spec, SafetyLimits.of(spec), EndOptions())
+    writer, reader = ReportWriter(tmp_path), ReportReader(tmp_path)
+
+    def told(orientation: np.ndarray | None) -> tuple[float, ...] | None:
+        reading = replace(device.exchange(np.zeros(3)), orientation=orientation)
+        writer.write(core.cycle(reading, now[0]), now[0])
+        report = reader.read()
+        assert report is not None
+        return report.orientation
+
+    try:
+        turned = None
+        for now[0] in np.linspace(0.0, 1.0, 41).tolist():  # a quarter of a round
+            turned = device.exchange(np.zeros(3)).orientation
+        assert turned is not None
+        assert told(turned) == pytest.approx((0.0, 0.0, np.sin(0.5), np.cos(0.5)), abs=1e-3)
+        assert told(None) is None
+        assert told(np.array([0.0, 0.0, 0.0, 2.0])) is None  # no rotation
+        assert told(np.array([nan, 0.0, 0.0, 1.0])) is None
+    finally:
+        device.close()
+        writer.close()
+        reader.close()
 
 
 @pytest.mark.parametrize("kept", [0, 1], ids=["reads", "writes"])

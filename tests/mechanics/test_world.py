@@ -119,6 +119,19 @@ def test_friction_holds_to_a_thousandth_of_its_cone(shape: Plane | Box) -> None:
     block.check_ledger()
 
 
+def test_what_comes_in_within_a_step_is_pushed_in_that_step() -> None:
+    """Half of its way is free; a point that is out of reach is not asked, one that comes within reach is."""
+    block = Standing(cube(2, pull=0.0), TABLE, lift=5e-4, speed=(0.3, 0.0, -1.0))
+    before = block.velocity.mean(axis=0)
+    force = block.run(1)
+    assert force[2] > 10.0
+    assert block.velocity.mean(axis=0) - before == pytest.approx(1e-3 * force, rel=1e-4, abs=1e-6)
+    assert block.beta <= CLOSURE_ALARM
+    far = Standing(cube(2, pull=0.0), TABLE, lift=1.1e-3, speed=(0.3, 0.0, -1.0))
+    assert not far.run(1).any()
+    far.check_ledger()
+
+
 def sliding(block: Standing, angle: float) -> float:
     """The coefficient of friction, by how much faster a block becomes while it slides down."""
     before = block.velocity.mean(axis=0)[0]

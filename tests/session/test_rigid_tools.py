@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.hands.led import Led
 from tests.session.world import World
 
 from cotouch.errors import SessionError
@@ -139,6 +140,40 @@ def test_an_audit_works_out_anew_what_it_did(turned: World) -> None:
     assert not audit([replace(ann, columns=bent), *found[1:]]).holds
 
 
+def test_a_device_leads_one_and_an_audit_works_out_what_that_did(tmp_path: Path) -> None:
+    """Ann pushes the block with the tool in her device and turns it; Ben's device has no tool, and holds the block."""
+    world = World(RIGID, folder=tmp_path, tick=2e-3)
+    pushes, holds = Led(orientation=(0.0, 0.0, 0.0, 1.0)), Led()
+    world.devices |= {"Ann": pushes, "Ben": holds}  # type: ignore[dict-item]
+    ann, _ = (world.join(name) for name in ("Ann", "Ben"))
+    world.until(world.all_coupled, 12.0)
+    start = pushes.place.copy()
+    for k in range(1, 51):
+        half = 0.005 * k
+        pushes.place = start + np.array([0.0, 0.0006 * k, 0.0])
+        pushes.orientation = (0.0, 0.0, float(np.sin(half)), float(np.cos(half)))
+        world.run(0.01)
+    world.run(0.2)
+    world.check()
+    assert heading(world, ann.position) > 10.0
+    assert np.array(holds.orders[-1][0]) - holds.orders[0][0] != pytest.approx(0.0, abs=1e-3)  # Ben feels it
+    tool = world.replica.body.rest[4:] + ann.position[4:]
+    assert tool.mean(axis=0) == pytest.approx([0.03, -0.0365 + 0.03, 0.015], abs=5e-3)
+    for person in world.people:
+        assert person.copy.totals.residual <= 1e-12
+        assert person.session_recorder is not None
+        person.session_recorder.close()
+    found = [read_recording(path) for path in world.recordings]
+    result = audit(found)
+    assert result.holds, result.verdict
+    assert all(ledger.worked_out == ledger.steps for ledger in result.users)
+    assert [len(setup.ports or ()) for setup in found[0].setups][-1] == 5
+    for port in (0, 1):  # what leads the handle is worked out, and what turns
+        force = found[0].columns["force"].copy()
+        force[:, port] *= 1.01
+        assert not audit([replace(found[0], columns={**found[0].columns, "force": force}), found[1]]).holds
+
+
 @pytest.fixture
 def soft(tmp_path: Path) -> World:
     (tmp_path / "recordings").mkdir()
@@ -180,6 +215,30 @@ def test_it_is_led_to_a_pose_by_command_and_goes_back_to_its_file(soft: World) -
     assert all(person.copy.totals.residual <= 1e-12 for person in soft.people)
 
 
+def test_a_pointer_leads_it_until_nothing_is_heard_of_that(soft: World) -> None:
+    assert soft.commands is not None
+    ann = soft.people[0]
+    count = soft.replica.body.shared
+
+    def turned() -> float:
+        rest, place = soft.replica.body.rest[count:], soft.replica.body.rest[count:] + ann.position[count:]
+        edge, before = (x[0] - x[2] + x[1] - x[3] for x in (place, rest))
+        return float(np.arctan2(edge[1], edge[0]) - np.arctan2(before[1], before[0]))
+
+    pointer = Pointer(number=7, mode="pose", node=0, target=(0.015, 0.015, 0.05), turn=(0.0, 0.0, 0.5))
+    soft.commands.point("user 1", pointer)
+    soft.run(0.5)
+    shown = soft.commands.views()[0]
+    assert shown.received == 7
+    assert shown.hands[0].mode == "pose"
+    assert shown.hands[0].place == pytest.approx([0.015, 0.015, 0.05], abs=1e-3)  # sooner than by command
+    assert turned() == pytest.approx(0.5, abs=0.01)
+    soft.run(0.8)
+    assert soft.commands.views()[0].hands[0].mode == "free"
+    soft.check()
+    assert all(person.copy.totals.residual <= 1e-12 for person in soft.people)
+
+
 def test_let_go_it_comes_to_rest_and_is_held_by_nothing(soft: World) -> None:
     assert soft.commands is not None
     ann = soft.people[0]
@@ -209,6 +268,12 @@ def test_what_there_is_not_is_one_sentence() -> None:
     with pytest.raises(SessionError, match="with pose it must be from 0 to 0"):
         check_hand(MoveHand(slot=0, mode="pose", node=1, to=place, turn=turn), body, cuts=True)
     with pytest.raises(SessionError, match="there is no ball beside rigid tools"):
-        checked(Pointer(number=1, mode="ball", node=0, target=place), body, cuts=True)
+        checked(Pointer(number=1, mode="ball", node=0, target=place), body, 0, cuts=True)
+    pose = Pointer(number=1, mode="pose", node=0, target=place, turn=turn)
+    assert checked(pose, body, 0, cuts=True) is pose
+    with pytest.raises(SessionError, match="this user has no rigid tool with a hand"):
+        checked(pose, body, 1, cuts=True)
+    with pytest.raises(SessionError, match=r"the pointer's turn is .*; it must be 3 numbers, each at most 4 rad"):
+        checked(replace(pose, turn=(0.0, 5.0, 0.0)), body, 0, cuts=True)
     with pytest.raises(SessionError, match="it must be from 0 to 47"):
-        checked(Pointer(number=1, mode="grab", node=48, target=place), body, cuts=True)
+        checked(Pointer(number=1, mode="grab", node=48, target=place), body, 0, cuts=True)

@@ -5,7 +5,8 @@ from pathlib import Path
 import numpy as np
 
 from cotouch.control import MemoryControl, MemoryControlNetwork
-from cotouch.hands import CommandedHand
+from cotouch.hands import CommandedHand, DeviceHand
+from cotouch.haptics import ServoLink
 from cotouch.mechanics import Model
 from cotouch.members import (
     Admission,
@@ -93,6 +94,8 @@ class Person:
             hand = CommandedHand(Slot.of(session, replica, slot, model), requests=self.telemetry.requests)
             self.telemetry.holds(hand, slot, commanded=True)
             return hand
+        if self.name in self.world.devices:
+            return DeviceHand(Slot.of(session, replica, slot, model), link=self.world.devices[self.name])
         return ScriptedHand(Slot.of(session, replica, slot, model))
 
     @property
@@ -164,6 +167,7 @@ class World:
         self.commands = None if mailboxes is None else CommandClient(mailboxes, self.session, list(names))
         self.people: list[Person] = []
         self.gone: list[Person] = []
+        self.devices: dict[str, ServoLink] = {}  # by name of who holds one
 
     def made_host(self, kept: Decision | None) -> Host:
         admission = Admission(self.session, fingerprint=self.replica.fingerprint)

@@ -10,7 +10,7 @@ from tests.laws.scenes import AS_LAW
 
 from cotouch.errors import CotouchError
 from cotouch.scenario import Scenario
-from cotouch.simulation import animation, prepare, run_batch, run_peers, simulate, summary, tables
+from cotouch.simulation import animation, dataset, prepare, run_batch, run_peers, simulate, summary, tables
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "turn-a-block.toml"
 PAIR = {"users": ["Ann", "Ben"], "spring": [[0, 20], [20, 0]], "delay": [[0, 0.01], [0.01, 0]]}
@@ -61,6 +61,40 @@ def test_both_engines_move_it_alike_and_balance_it(law: str) -> None:
     moved = np.abs(batch.position[:, :4, :2]).max(axis=(1, 2))
     assert moved[0] > 2e-3
     assert moved[1] > (0.2 if law == "paid" else 0.02) * moved[0]
+
+
+def test_a_device_leads_its_handle_and_feels_what_presses_and_the_hand_turns_it() -> None:
+    """Both engines alike; every joule is somewhere, and the coupling keeps its bound."""
+    path = [[0, 0, 0, 0, 0, 0, 0], [0.05, 0, 0, -0.015, 0, 0, 0], [0.15, 0, 0, -0.015, 0, 0, 0.5]]
+    hand = {"path": path, "stiffness": 500, "damping": 5, "turning_stiffness": 1.0}
+    free = {**BAR, "user": 2, "at": [0, 0, 0.2]}
+    led = {**BAR, "at": [0, 0, 0.0605], "handle": [0, 0, 0.005], "hand": hand, "device": {"preset": "omega"}}
+    ready = prepare(
+        scene(
+            {},
+            tools=[free, led],
+            between={"friction": 0.8, "damping": 20.0},
+            world={"gravity": [0, 0, -9.81], "planes": [{"friction": 0.1, "damping": 20.0}]},
+            steps={"duration": 0.4},
+            synchronisation={"law": "paid"},
+        )
+    )
+    batch, peers = run_batch(ready), run_peers(ready)
+    assert np.array_equal(batch.position, np.stack([places[-1] for places in peers.position]))
+    assert max(abs(report.residual) for reports in peers.reports for report in reports) <= 1e-15
+    run = dataset(ready, batch)
+    assert run.attrs["energy_residual"] < 1e-12
+    assert run.attrs["device_residual"] < 1e-12
+    assert float(run["coupling_excess"][1].max()) <= float(run["coupling_bound"][1])
+    assert bool(run["device_force"][0].isnull().all())
+    place, device = run["rigid_position"].values[1], run["device_position"].values[1]
+    force, felt = run["rigid_force"].values[1, -1], run["device_force"].values[1, -1]
+    assert place[0] == pytest.approx(device[0], abs=1e-9)
+    assert -0.015 < device[-1, 2] - device[0, 2] < -0.005
+    assert force[2] < -1.0
+    assert felt == pytest.approx(-force, rel=0.05, abs=0.02)
+    assert run["rigid_rotation"].values[1, -1, 2] > 0.4
+    assert np.abs(run["rigid_torque"].values[1, :, 2]).max() > 0.01  # which no device feels
 
 
 def test_a_lever_is_felt_as_force_and_torque() -> None:
@@ -250,6 +284,11 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     ({"tools": [{"user": 1, "file": "a.obj", "unit": "m", "model": "cells", "at": [0, 0, 1]}]}, 'model is "cells"'),
     ({"tools": [{**BAR, "at": [0, 0, 0.02]}]}, 'tools[1]: it begins 0.02 m deep in "body"'),
     ({"tools": [{"user": 1, "kind": "sponge", "at": [0, 0, 1]}]}, 'tools[1].kind is "sponge"; it must be one of'),
+    ({"tools": [{**BAR, "at": [0, 0, 1], "device": {}}]}, "device is given, but no hand, whose springs turn the tool"),
+    (
+        {"tools": [{**BAR, "at": [0, 0, 1]}, {**BAR, "at": [0, 0, 2], "hand": {}, "device": {"resolution": 1e-3}}]},
+        "tools[2].device: ",
+    ),
     ({"cutting": {}, "tools": [{**BAR, "at": [0, 0, 1]}]}, "cutting takes away elements, but none of the bodies is"),
     ({"tools": [{**BAR, "at": [0, 0, 1 + k]} for k in range(12)]}, "tools[1] is one of 13 rigid bodies"),
 ]

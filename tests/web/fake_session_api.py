@@ -20,7 +20,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from cotouch.body import Body, Skin, chain, lattice, point
+from cotouch.body import Body, Placed, Skin, ToolBody, chain, lattice, point, rigid_box, together
 from cotouch.errors import SessionError
 from cotouch.members import Entry, LinkStatus, Pair, Roster, SessionEvent, Status
 from cotouch.observers import (
@@ -59,9 +59,9 @@ WORST: list[Pair] = [(0, 2), (0, 4), (1, 4), (2, 4), (0, 3), (2, 3)]
 STEP = 0.002
 SHARED = 2e-3  # what every copy gave up when the others came [J]
 KEPT = 3.0  # of the handles' past [s]
-KINDS = ("1d", "chain", "2d", "bare", "3d", "big")
+KINDS = ("1d", "chain", "2d", "bare", "3d", "big", "tool")
 MAY: frozenset[Doable] = frozenset({"hand", "impair", "cut", "kill", "revive", "expel", "links", "damping", "record"})
-Kind = Literal["1d", "chain", "2d", "bare", "3d", "big"]
+Kind = Literal["1d", "chain", "2d", "bare", "3d", "big", "tool"]
 
 
 def soft_body(rings: int) -> Body:
@@ -121,7 +121,18 @@ def _trilinear(places: np.ndarray, shape: tuple[int, int, int]) -> tuple[np.ndar
 
 
 def made_body(kind: Kind) -> Body:
-    """1d: a point; chain: seven; 2d: a sheet, bare: a block, neither with a skin; 3d: 2,000 vertices; big: 20,000."""
+    """1d: a point; chain: seven; 2d: a sheet, bare: a block, neither with a skin; 3d: 2,000 vertices; big: 20,000.
+
+    tool: a die, and a bar of Ann's above it.
+    """
+    if kind == "tool":
+        handle = np.array([0.0, 0.0, 0.05])
+        held = tuple(
+            (handle + 0.01 * np.array(sign)).tolist() for sign in ((1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1))
+        )
+        tool = ToolBody(owner=0, copies=5, grips=tuple(map(tuple, held)))
+        bar = Placed(body=rigid_box([0.1, 0.02, 0.02], mass=0.1), name="bar", at=(0.0, 0.0, 0.05), tool=tool)
+        return together([Placed(body=rigid_box([0.06, 0.06, 0.06], mass=0.1), name="die"), bar])
     if kind == "chain":
         return chain(7, stiffness=60.0, spacing=0.03)
     if kind in {"2d", "bare"}:
@@ -415,7 +426,7 @@ class FakeSessionApi:
         place = self._rest[handle.node] + field[handle.node]
         hand = HandView(
             mode=handle.mode,
-            node=-1 if handle.mode in {"free", "ball"} else handle.node,
+            node=-1 if handle.mode in {"free", "ball", "pose"} else handle.node,
             target=handle.target.astype(np.float32),
             place=(handle.target if handle.mode == "ball" else place).astype(np.float32),
             force=handle.force.astype(np.float32),

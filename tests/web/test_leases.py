@@ -4,7 +4,7 @@ import asyncio
 from collections.abc import Awaitable, Callable
 
 import pytest
-from tests.web.fake_session_api import FakeSessionApi
+from tests.web.fake_session_api import FakeSessionApi, Kind
 from tests.web.reader import pointer
 
 from cotouch.errors import PageError
@@ -13,17 +13,18 @@ from cotouch.web._access import Access
 from cotouch.web._hub import MOST_PAGES, Hub
 from cotouch.web._page import Page
 from cotouch.web._protocol import VERSION, Do, PointerMessage
+from cotouch.web._scene import held_tools
 
-GRAB, FREE = 1, 2
+GRAB, FREE, POSE = 1, 2, 4
 LONG, SHORT = 3.1, 0.2  # a page that is silent for so long hangs, or not [s]
 
 
 class Room:
     """A hub whose pages have no sockets; what they are told lies where nobody fetches it."""
 
-    def __init__(self) -> None:
+    def __init__(self, kind: Kind = "1d") -> None:
         self.now = 0.0
-        self.api = FakeSessionApi("1d", clock=lambda: self.now)
+        self.api = FakeSessionApi(kind, clock=lambda: self.now)
         self.hub = Hub(self.api, Access(listen="127.0.0.1", token="a token"), clock=lambda: self.now)
         self.number = 0
 
@@ -53,10 +54,10 @@ class Room:
                 self.hub.received(page)
             self.hub._show_state()
 
-    def point(self, page: Page, action: int) -> None:
+    def point(self, page: Page, action: int, point: int = 0) -> None:
         self.number += 1
         self.hub.received(page)
-        self.hub.pointed(page, PointerMessage(pointer(self.number, slot=page.slot or 0, action=action)))
+        self.hub.pointed(page, PointerMessage(pointer(self.number, slot=page.slot or 0, action=action, point=point)))
 
     def held(self) -> bool:
         """Whether a pointer holds the body now, as the stage was told last."""
@@ -79,9 +80,9 @@ class Room:
         return self.hub._control.of(page)
 
 
-def play(story: Callable[[Room], Awaitable[None]]) -> None:
+def play(story: Callable[[Room], Awaitable[None]], kind: Kind = "1d") -> None:
     async def run() -> None:
-        room = Room()
+        room = Room(kind)
         try:
             await story(room)
         finally:
@@ -185,6 +186,23 @@ def test_control_goes_to_who_waits_when_a_page_ends_or_hangs() -> None:
         assert room.held()
 
     play(story)
+
+
+def test_a_rigid_tool_is_led_for_its_user_alone() -> None:
+    async def story(room: Room) -> None:
+        (first, last, slot, number) = held_tools(room.api.scene.body)[0]
+        assert (slot, number) == (0, 0)
+        assert last == room.hub._control.points
+        ann, ben = room.come(0), room.come(1)
+        room.point(ben, POSE, first)
+        room.point(ann, POSE, first - 1)  # of the die
+        assert not room.api.pointers
+        room.point(ann, POSE, first)
+        assert [(slot, told.mode, told.node) for slot, told in room.api.pointers] == [(0, "pose", 0)]
+        room.hub.leave(ann)
+        assert not room.held()
+
+    play(story, "tool")
 
 
 def test_a_page_that_hung_alone_has_control_again_when_it_talks() -> None:

@@ -43,6 +43,52 @@ def running() -> Generator[Browser]:
         yield one
 
 
+# Where the middle of the first tool is drawn.
+BAR = """() => {
+  const { space } = window.cotouch.stage.probe(), { first, last } = space.shape.tools[0];
+  const spots = Array.from({ length: last - first }, (_, k) => window.cotouch.stage.spot(first + k));
+  const mean = (axis) => spots.reduce((sum, spot) => sum + spot[axis], 0) / spots.length;
+  return [mean('x'), mean('y')];
+}"""
+ARROW = "stage.probe().space.hands.get(0).group.visible && stage.probe().space.hands.get(0).shaft.visible"
+
+
+def test_a_rigid_tool_is_led_and_turned_by_its_user_and_its_force_is_drawn(running: Browser) -> None:
+    with shown(running, "tool") as here:
+        page, api = here.open(), here.api
+        assert page.locator('#toolbar [data-value="ball"]').is_hidden()
+        x, y = page.evaluate(BAR)
+        page.mouse.move(x, y)
+        page.mouse.down()
+        wait(page, lambda: bool(api.pointers))
+        slot, taken = api.pointers[-1]
+        assert (slot, taken.mode, taken.node) == (0, "pose", 0)
+        assert taken.target == pytest.approx((0.0, 0.0, 0.05), abs=1e-5)
+        assert taken.turn == pytest.approx((0.0, 0.0, 0.0), abs=1e-4)
+        page.mouse.move(x + 40, y, steps=4)
+        wait(page, lambda: np.linalg.norm(np.subtract(api.pointers[-1][1].target, taken.target)) > 0.005)
+        page.wait_for_timeout(100)
+        moved = api.pointers[-1][1]
+        assert moved.turn == taken.turn
+        page.keyboard.down("Shift")
+        page.mouse.move(x + 90, y, steps=5)
+        wait(page, lambda: np.linalg.norm(api.pointers[-1][1].turn) > 0.499)
+        turned = api.pointers[-1][1]
+        up = page.evaluate("() => window.cotouch.stage.probe().orbit.axes()[1].toArray()")
+        assert turned.turn == pytest.approx(0.5 * np.array(up), abs=1e-3)
+        assert turned.target == moved.target
+        page.keyboard.up("Shift")
+        page.mouse.move(x + 91, y)
+        wait(page, lambda: api.pointers[-1][1].target != moved.target)
+        went = np.linalg.norm(np.subtract(api.pointers[-1][1].target, moved.target))
+        assert went < 0.1 * np.linalg.norm(np.subtract(moved.target, taken.target))  # it does not leap
+        page.mouse.up()
+        wait(page, lambda: api.pointers[-1][1].mode == "free")
+        until(page, f"!({ARROW})")
+        api.do(MoveHand(slot=0, mode="pose", to=(0.0, 0.0, 0.0), turn=(0.0, 0.0, 0.0)))
+        until(page, ARROW)
+
+
 @pytest.mark.parametrize("kind", ["chain", "2d", "bare"])
 def test_a_body_without_a_skin_is_seen_and_held(running: Browser, kind: Kind) -> None:
     with shown(running, kind) as here:

@@ -22,23 +22,34 @@ single = st.floats(width=32, allow_nan=True, allow_infinity=True)
 @given(
     number=st.integers(0, 2**32 - 1),
     slot=st.integers(0, 255),
-    action=st.integers(0, 255),
+    action=st.integers(0, 5) | st.integers(0, 255),
     point=st.integers(0, 2**32 - 1),
     target=st.tuples(single, single, single),
     radius=single,
     stiffness=single,
     sent=st.floats(),
+    vector=st.tuples(single, single, single),
 )
-def test_a_pointer_is_what_was_sent_or_refused(number, slot, action, point, target, radius, stiffness, sent):
+def test_a_pointer_is_what_was_sent_or_refused(number, slot, action, point, target, radius, stiffness, sent, vector):
+    turns = action == 4
     sensible = (
-        action <= 2
+        action <= 4
+        and all(abs(x) <= (4.0 if turns else 1e4) for x in vector)
         and all(abs(x) <= 1e4 for x in target)
         and 0.0 <= radius <= 1e4
         and 0.0 <= stiffness <= 1e5
         and math.isfinite(sent)
     )
     data = pointer(
-        number, slot=slot, action=action, point=point, target=target, radius=radius, stiffness=stiffness, sent=sent
+        number,
+        slot=slot,
+        action=action,
+        point=point,
+        target=target,
+        radius=radius,
+        stiffness=stiffness,
+        sent=sent,
+        edge=vector,
     )
     if not sensible:
         with pytest.raises(PageError):
@@ -47,8 +58,10 @@ def test_a_pointer_is_what_was_sent_or_refused(number, slot, action, point, targ
     read = read_binary(data)
     assert isinstance(read, PointerMessage)
     assert (read.number, read.slot, read.point) == (number, slot, point)
-    assert read.mode == ("ball", "grab", "free")[action]
+    assert read.mode == ("ball", "grab", "free", "blade", "pose")[action]
     assert (read.target, read.radius, read.stiffness, read.sent) == (target, radius, stiffness, sent)
+    none = (0.0, 0.0, 0.0)
+    assert (read.edge, read.turn) == ((none, vector) if turns else (vector, none))
 
 
 @settings(max_examples=examples(200))

@@ -176,7 +176,7 @@ export class Shown {
     const place = new Vector3().fromArray(touch.place, 3 * k);
     const force = new Vector3().fromArray(touch.force, 3 * k);
     if (touch === this.touches[0]) this.blades.get(k)?.position.copy(place);
-    hand.pose({ place, proxy: place, target: place, force, radius: touch.radius[k] ?? 0, edge: new Vector3(), pointed: false }, this.face);
+    hand.pose({ place, proxy: place, target: place, force, radius: touch.radius[k] ?? 0, edge: new Vector3(), arrow: null, pointed: false }, this.face);
   }
 }
 

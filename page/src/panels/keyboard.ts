@@ -15,13 +15,13 @@ export interface Deeds {
   reset: () => void;
 }
 
-const TOOLS = ["grab", "ball", "blade"] as const;
 const COLOURS = ["displacement", "stress", "plain"] as const;
 
 const TABLE: [string, string][] = [
   ["1 … 8", "act as this user"],
   ["G", "grab the nearest point; arrows move it, Esc lets go"],
   ["B", "grab, push with the ball, or cut"],
+  ["Shift", "while a rigid tool is held: drag and wheel turn it"],
   ["S", "copies overlaid or side by side"],
   ["C", "what colours show"],
   ["0", "look from the start again"],
@@ -63,7 +63,7 @@ export function keyboard(context: Context, deeds: Deeds): { open: () => void } {
     h("label", { class: "check" }, single, h("span", null, "Single keys do these things")),
   ], []);
   const act: Record<string, () => void> = {
-    b: () => store.set({ tool: TOOLS[(TOOLS.indexOf(store.tool) + 1) % (store.scene?.cutting ? 3 : 2)] ?? "grab" }),
+    b: () => store.set({ tool: store.tools[(store.tools.indexOf(store.tool) + 1) % store.tools.length] ?? "grab" }),
     s: () => store.set({ layout: store.settings.layout === "overlay" ? "side" : "overlay" }),
     c: () => store.set({ colour: COLOURS[(COLOURS.indexOf(store.colour) + 1) % COLOURS.length] ?? "plain" }),
     "0": deeds.reset,

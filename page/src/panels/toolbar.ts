@@ -32,8 +32,7 @@ export function toolbar(context: Context, reset: () => void): HTMLElement {
   const update = (): void => {
     const { settings, scene } = store;
     tool.mark(store.tool);
-    const blade = tool.element.querySelector<HTMLElement>('[data-value="blade"]');
-    if (blade) blade.hidden = !scene?.cutting;
+    for (const choice of tool.element.querySelectorAll<HTMLElement>("[data-value]")) choice.hidden = !store.tools.some((one) => one === choice.dataset.value);
     layout.mark(settings.layout);
     own.textContent = scene?.parts.length ? "Bodies" : "Plain";
     colour.value = store.colour;

@@ -88,5 +88,6 @@ export const MODES: Record<string, string> = {
   ball: "pointer pushes",
   blade: "pointer cuts",
   cut: "cuts",
+  pose: "leads a tool",
   elsewhere: "on another computer",
 };

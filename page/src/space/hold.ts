@@ -1,7 +1,9 @@
 // What this page's hand does in space: one pointer, finger, stick or key at a time. Knows no picture.
-import { Plane, type Ray, Vector3 } from "three";
+import { Plane, Quaternion, type Ray, Vector3 } from "three";
 import type { Connection } from "../connection";
 import type { Action, Vec } from "../protocol";
+
+const spin = new Quaternion();
 
 export class Hold {
   /** What the hand does now. */
@@ -16,6 +18,10 @@ export class Hold {
   deep: number;
   /** Of the blade, from the target to its tip [m]. */
   readonly edge = new Vector3();
+  /** How a rigid tool is to be turned from its start. */
+  readonly turned = new Quaternion();
+  /** Where it is held, from its handle as it was at the start [m]. */
+  readonly local = new Vector3();
   private readonly plane = new Plane();
   private readonly offset = new Vector3();
   /** How far the ball has been pushed in by pressing [m]. */
@@ -26,18 +32,44 @@ export class Hold {
     this.deep = 0.5 * size;
   }
 
+  /** Where what is held is to be: its node, a rigid tool's point, the ball, the blade. */
+  goal(into: Vector3): Vector3 {
+    if (this.action !== "pose") return into.copy(this.target);
+    return into.copy(this.local).applyQuaternion(this.turned).add(this.target);
+  }
+
   get holds(): boolean {
     return this.action !== "free";
   }
 
   /** Takes a point; the pointer met the object at `met` and moves in the plane through it that faces the eye. */
-  grab(point: number, place: Vector3, met: Vector3, away: Vector3, time?: number): void {
-    this.action = "grab";
+  grab(point: number, place: Vector3, met: Vector3, away: Vector3, time?: number, action: "grab" | "pose" = "grab"): void {
+    this.action = action;
     this.point = point;
     this.plane.setFromNormalAndCoplanarPoint(away, met);
     this.offset.subVectors(place, met);
     this.target.copy(place);
     this.send(time);
+  }
+
+  /** Takes a rigid tool, whose handle is at `handle` and which is turned so, at a point of its skin. */
+  lead(point: number, handle: Vector3, turned: Quaternion, met: Vector3, away: Vector3, time?: number): void {
+    this.turned.copy(turned);
+    this.local.subVectors(met, handle).applyQuaternion(spin.copy(turned).invert());
+    this.grab(point, handle, met, away, time, "pose");
+  }
+
+  /** Turns a rigid tool about an axis. */
+  turn(axis: Vector3, angle: number, time?: number): void {
+    if (this.action !== "pose") return;
+    this.turned.premultiply(spin.setFromAxisAngle(axis, angle)).normalize();
+    this.send(time);
+  }
+
+  /** The pointer is on this ray now, and moves nothing: it did something else meanwhile. */
+  rebase(ray: Ray): void {
+    const met = ray.intersectPlane(this.plane, new Vector3());
+    if (met) this.offset.subVectors(this.target, met);
   }
 
   /** Puts the ball where it touches the object. */
@@ -117,7 +149,7 @@ export class Hold {
     this.connection.point({
       action: this.action, point: Math.max(this.point, 0), target: this.target.toArray() as Vec,
       radius: this.action === "ball" ? this.radius : 0, stiffness: this.stiffness, time,
-      edge: this.action === "blade" ? this.edge.toArray() as Vec : [0, 0, 0],
+      edge: this.action === "blade" ? this.edge.toArray() as Vec : this.action === "pose" ? vectorOf(this.turned) : [0, 0, 0],
     });
   }
 
@@ -127,4 +159,11 @@ export class Hold {
     const far = this.target.length();
     if (far > 50 * this.size) this.target.multiplyScalar((50 * this.size) / far);
   }
+}
+
+/** Along the axis of turning, as long as the angle, which is at most half a turn [rad]. */
+function vectorOf({ x, y, z, w }: Quaternion): Vec {
+  const sine = Math.hypot(x, y, z);
+  const scale = (sine < 1e-12 ? 2 : (2 * Math.atan2(sine, Math.abs(w))) / sine) * (w < 0 ? -1 : 1);
+  return [scale * x, scale * y, scale * z];
 }

@@ -14,7 +14,7 @@ const ring = inSoftware() ? new TorusGeometry(1, 0.13, 5, 20) : new TorusGeometr
 // Thick where it is held, thin at the tip.
 const knife = new CylinderGeometry(0.12, 1, 1, 12).translate(0, 0.5, 0);
 const UP = new Vector3(0, 1, 0);
-const along = new Vector3(), turn = new Quaternion();
+const along = new Vector3(), tail = new Vector3(), turn = new Quaternion();
 
 export function material(hex: string, opacity = 1): ShaderMaterial {
   const made = new ShaderMaterial({
@@ -58,6 +58,8 @@ export interface HandPose {
   radius: number;
   /** Of a blade, from its place to the other end; 0: there is none [m]. */
   edge: Vector3;
+  /** Where the force's arrow ends, outside of what is held from within; null: it begins at the place. */
+  arrow: Vector3 | null;
   /** Whether to draw the small ring where the pointer is. */
   pointed: boolean;
 }
@@ -153,9 +155,11 @@ export class HandProp {
     this.shaft.visible = this.head.visible = share > 0.01 && !hand.pointed;
     if (!this.shaft.visible) return;
     along.copy(hand.force).divideScalar(force);
-    const length = size * (this.arrow.least + (this.arrow.longest - this.arrow.least) * share);
+    // What begins at the place is half hidden; what ends there is seen as a whole.
+    const length = (hand.arrow ? 0.6 : 1) * size * (this.arrow.least + (this.arrow.longest - this.arrow.least) * share);
     const head = Math.min(0.09 * size, 0.6 * length);
-    const start = hand.radius > 0 ? hand.proxy : hand.place;
+    const start = tail.copy(hand.arrow ?? (hand.radius > 0 ? hand.proxy : hand.place));
+    if (hand.arrow) start.addScaledVector(along, -length);
     this.tip.copy(start).addScaledVector(along, length);
     this.neck.copy(start).addScaledVector(along, length - head);
     const [tip, neck] = [this.tip, this.neck];

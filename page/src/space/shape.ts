@@ -2,6 +2,7 @@
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, StaticDrawUsage } from "three";
 import { bodyColour, channels } from "../colours";
 import { readCut, type Scene } from "../protocol";
+import { type RigidTool, toolsOf } from "./tool";
 
 /** Faces that meet at more than this are an edge, not a curve. */
 const CREASE = Math.cos((50 * Math.PI) / 180);
@@ -26,6 +27,9 @@ export class Shape {
   /** Of every corner the colour of its body, from 0 to 1; null where there is one body. */
   readonly tint: Float32Array | null;
 
+  /** Rigid tools that can be led. */
+  readonly tools: RigidTool[];
+
   /** Whether triangles of a copy may be gone. */
   loose: boolean;
 
@@ -47,6 +51,7 @@ export class Shape {
       this.corner[point] = c;
       for (let k = 0; k < 3; k++) this.rest[3 * c + k] = scene.points[3 * point + k]!;
     });
+    this.tools = toolsOf(scene, this.corner, this.point, this.triangles);
     this.tint = scene.parts.length ? tints(scene.parts, this.point) : null;
     this.sides = scene.skin ? sidesOf(scene.skin.triangles, this.corner, points) : (scene.edges ?? new Uint32Array());
     const count = this.sides.length / 2;

@@ -1,5 +1,5 @@
 // The object in space: every user's copy, hands, ground and names, and what one's own hand does to it.
-import { Mesh, Quaternion, Scene as World, SphereGeometry, Vector3, WebGLRenderer } from "three";
+import { Mesh, Quaternion, Ray, Scene as World, SphereGeometry, Vector3, WebGLRenderer } from "three";
 import { isDark, onSystemTheme, userColour } from "../colours";
 import type { Connection } from "../connection";
 import { delaysFrom, inWords, length, newtons, nice } from "../delays";
@@ -19,6 +19,7 @@ import { floorOf, Obstacles, seenFirst } from "./obstacles";
 import { type HandPose, HandProp, material, paint } from "./props";
 import { inSoftware, Quality } from "./quality";
 import { Shape } from "./shape";
+import { type RigidTool, leaves, poseOf } from "./tool";
 import { Touch } from "./touch";
 
 const PULSE = 900; // ms
@@ -57,7 +58,10 @@ class Space implements View {
   private readonly proxy = new Vector3();
   private readonly place = new Vector3();
   private readonly goal = new Vector3();
-  private readonly posed: HandPose = { place: new Vector3(), proxy: new Vector3(), target: new Vector3(), force: new Vector3(), radius: 0, edge: new Vector3(), pointed: false };
+  private readonly aimed = new Vector3();
+  private readonly posed: HandPose = { place: new Vector3(), proxy: new Vector3(), target: new Vector3(), force: new Vector3(), radius: 0, edge: new Vector3(), arrow: null, pointed: false };
+  private readonly back = new Ray();
+  private readonly out = new Vector3();
   private fresh = true;
   private hovered: Hit | null = null;
   private area: Cell[] = [];
@@ -107,7 +111,9 @@ class Space implements View {
     this.dot.visible = false;
     this.world.add(this.ground.mesh, this.obstacles.group, this.dot);
     this.labels = new Labels(element);
-    this.furniture = new Furniture(element, store, { act: "Take hold of the object and pull. Drag beside it to look around.", look: "Drag to look around, and scroll to come nearer." });
+    const leads = scene.parts.some(({ tool }) => tool && scene.own.includes(tool.slot));
+    const act = leads ? "Drag your tool to lead it, with Shift to turn it. Drag beside it to look around." : "Take hold of the object and pull. Drag beside it to look around.";
+    this.furniture = new Furniture(element, store, { act, look: "Drag to look around, and scroll to come nearer." });
     this.touch = new Touch(this, store);
     const sized = new ResizeObserver(() => this.resize());
     sized.observe(element);
@@ -182,7 +188,23 @@ class Space implements View {
 
   pick(x: number, y: number, reach: number): Hit | null {
     if (this.cellAt(x, y) !== this.area[0]) return null;
-    return pick(this.mine.moving, this.orbit.camera, this.area[0]!, x, y, reach);
+    const hit = pick(this.mine.moving, this.orbit.camera, this.area[0]!, x, y, reach);
+    const tool = hit && this.toolAt(hit.point);
+    return tool && tool.slot !== this.store.slot ? null : hit; // another's is not in this copy
+  }
+
+  take(hit: Hit, away: Vector3, time?: number): void {
+    const tool = this.toolAt(hit.point);
+    if (tool) {
+      const { handle, turned } = poseOf(tool, this.shape.rest, this.mine.moving.places);
+      this.hold.lead(hit.point, handle, turned, hit.surface, away, time);
+    } else if (this.store.tool === "ball") this.hold.press(hit.surface, away, time);
+    else if (this.store.tool === "blade") this.hold.cut(hit.surface, away, time);
+    else this.hold.grab(hit.point, hit.place, hit.surface, away, time);
+  }
+
+  private toolAt(point: number): RigidTool | undefined {
+    return this.shape.tools.find(({ first, last }) => point >= first && point < last);
   }
 
   aim(x: number, y: number): { point: number; to: Vec } | null {
@@ -284,7 +306,7 @@ class Space implements View {
     const skipped = this.store.came - this.came - 1;
     if (fresh) {
       this.came = this.store.came;
-      this.take(this.store.frame!);
+      this.show(this.store.frame!);
     }
     let moving = this.orbit.step(calm.matches ? 1 : 1 - Math.exp(-seconds * 18));
     moving = this.touch.step(seconds) || moving;
@@ -303,7 +325,7 @@ class Space implements View {
     if (moving) this.draw();
   }
 
-  private take(frame: Frame): void {
+  private show(frame: Frame): void {
     this.shown = frame;
     this.common.scale.value = frame.scale;
     const ghosts = this.side || this.store.settings.ghosts;
@@ -322,15 +344,21 @@ class Space implements View {
   private haptic(seconds: number): boolean {
     if (!this.hold.holds) return !(this.fresh = true);
     const { moving } = this.mine;
+    const held = this.hold.action === "pose" ? this.toolAt(this.hold.point) : undefined;
     if (this.hold.action === "grab") this.place.fromArray(moving.places, 3 * this.shape.corner[this.hold.point]!);
-    else {
+    else if (held) {
+      const { handle, turned } = poseOf(held, this.shape.rest, moving.places);
+      this.place.copy(this.hold.local).applyQuaternion(turned).add(handle);
+    } else {
       const told = this.shown?.copies.find((copy) => copy.slot === this.store.slot);
       if (told?.mode === this.hold.action) this.place.fromArray(told.place);
       else this.place.copy(this.hold.target);
     }
+    const aim = this.hold.goal(this.aimed);
     const share = this.force();
-    const lag = this.hold.action !== "grab" ? 1 : (0.6 * share) / (share + 0.45);
-    const goal = this.goal.lerpVectors(this.hold.target, this.place, lag);
+    const draws = this.hold.action === "grab" || this.hold.action === "pose";
+    const lag = draws ? (0.6 * share) / (share + 0.45) : 1;
+    const goal = this.goal.lerpVectors(aim, this.place, lag);
     if (this.fresh || calm.matches) this.proxy.copy(goal);
     else this.proxy.lerp(goal, 1 - Math.exp(-seconds * 55));
     this.fresh = false;
@@ -397,26 +425,41 @@ class Space implements View {
       const force = this.pull();
       pose.place.copy(this.place);
       pose.proxy.copy(this.proxy);
-      pose.target.copy(this.hold.target);
+      this.hold.goal(pose.target);
       pose.force.subVectors(pose.target, pose.place).setLength(force);
       pose.radius = this.hold.action === "ball" ? this.hold.radius : 0;
       if (this.hold.action === "blade") pose.edge.copy(this.hold.edge);
       else pose.edge.set(0, 0, 0);
+      pose.arrow = null;
       pose.pointed = true;
       prop.pose(pose, this.face);
       return true;
     }
     const copy = this.shown?.copies.find((other) => other.slot === slot);
-    if (!copy?.hasHand || copy.mode === "free" || (copy.node < 0 && copy.radius === 0 && !copy.edge.some(Boolean))) return false;
+    if (!copy?.hasHand || copy.mode === "free") return false;
+    // Of a rigid tool a hand holds no node, and is told by its force.
+    if (copy.node < 0 && copy.radius === 0 && copy.mode !== "pose" && !copy.edge.some(Boolean) && !copy.force.some(Boolean)) return false;
     pose.place.fromArray(copy.place);
     pose.target.fromArray(copy.target);
     pose.force.fromArray(copy.force);
     pose.edge.fromArray(copy.edge);
     pose.proxy.copy(copy.radius > 0 || copy.edge.some(Boolean) ? pose.place : pose.target);
     pose.radius = copy.radius;
+    pose.arrow = copy.radius === 0 && copy.node < 0 && !copy.edge.some(Boolean) ? this.behind(slot, pose) : null;
     pose.pointed = false;
     prop.pose(pose, this.face);
     return true;
+  }
+
+  /** Where the force on a rigid tool comes in: its handle is within. null: no tool is there, or nothing pushes. */
+  private behind(slot: number, { place, force }: HandPose): Vector3 | null {
+    if (!force.lengthSq()) return null;
+    this.back.set(place, this.back.direction.copy(force).negate().normalize());
+    const places = this.copies.get(slot)?.moving.places;
+    for (const tool of this.shape.tools) {
+      if (places && tool.slot === slot && leaves(tool, this.back, places, this.out)) return this.out;
+    }
+    return null;
   }
 
   private name(cell: Cell): void {

@@ -15,6 +15,8 @@ export interface Picture {
   ownCell(): Cell;
   cellAt(x: number, y: number): Cell;
   pick(x: number, y: number, reach: number): Hit | null;
+  /** Takes what a press met, the way that the pointer's tool does; a rigid tool is led. */
+  take(hit: Hit, away: Vector3, time?: number): void;
   /** The point under the pointer that a press would take. */
   hover(hit: Hit | null): void;
   mayAct(): boolean;
@@ -28,6 +30,7 @@ const FINGER = 30; // how near to a point counts [pixels]
 const MOUSE = 14;
 const TAP = 6; // pixels that are no drag yet
 const DEADZONE = 0.15;
+const RADIANS = 0.01; // that a rigid tool turns by for a pixel
 
 export class Touch {
   private readonly pointers = new Map<number, { x: number; y: number }>();
@@ -115,11 +118,7 @@ export class Touch {
       this.doing = hit ? "hold" : "turn";
       if (hit) {
         this.holder = event.pointerId;
-        const away = orbit.axes()[2];
-        const tool = this.store.tool;
-        if (tool === "ball") hold.press(hit.surface, away, event.timeStamp);
-        else if (tool === "blade") hold.cut(hit.surface, away, event.timeStamp);
-        else hold.grab(hit.point, hit.place, hit.surface, away, event.timeStamp);
+        this.picture.take(hit, orbit.axes()[2], event.timeStamp);
         this.picture.hover(null);
       }
     }
@@ -129,7 +128,7 @@ export class Touch {
 
   private move(event: PointerEvent): void {
     const at = this.at(event);
-    const { orbit, hold } = this.picture;
+    const { orbit } = this.picture;
     const before = this.pointers.get(event.pointerId);
     if (!before) {
       if (event.pointerType !== "touch") this.over = at;
@@ -145,8 +144,7 @@ export class Touch {
       orbit.zoom(apart(before) / apart(at));
       orbit.turn(dx / 2, dy / 2);
     } else if (this.doing === "hold" && event.pointerId === this.holder) {
-      const ray = rayAt(orbit.camera, this.picture.ownCell(), at.x, at.y);
-      hold.follow(ray, event.timeStamp);
+      this.lead(event, at, dx, dy);
     } else if (this.doing === "turn") orbit.turn(dx, dy);
     else if (this.doing === "pan") orbit.pan(dx, dy, height);
     this.pointers.set(event.pointerId, at);
@@ -154,9 +152,20 @@ export class Touch {
   }
 
   private raw(event: PointerEvent): void {
-    if (this.doing !== "hold" || event.pointerId !== this.holder) return;
+    if (this.doing !== "hold" || event.pointerId !== this.holder || event.shiftKey) return;
     const at = this.at(event);
     this.picture.hold.follow(rayAt(this.picture.orbit.camera, this.picture.ownCell(), at.x, at.y), event.timeStamp);
+  }
+
+  /** What is held moves with the pointer; with Shift a rigid tool turns about what is upright and level in the picture. */
+  private lead(event: PointerEvent, at: { x: number; y: number }, dx: number, dy: number): void {
+    const { hold, orbit } = this.picture;
+    const ray = rayAt(orbit.camera, this.picture.ownCell(), at.x, at.y);
+    if (!event.shiftKey || hold.action !== "pose") return hold.follow(ray, event.timeStamp);
+    const [right, up] = orbit.axes();
+    hold.turn(up, RADIANS * dx, event.timeStamp);
+    hold.turn(right, RADIANS * dy, event.timeStamp);
+    hold.rebase(ray);
   }
 
   private up(event: PointerEvent): void {
@@ -188,6 +197,7 @@ export class Touch {
       hold.radius = Math.min(Math.max(hold.radius * 0.9 ** turns, 0.2 * 0.16 * orbit.size), 0.8 * orbit.size);
       if (hold.action === "ball") hold.send();
     } else if (event.shiftKey && this.store.tool === "blade") hold.deepen(0.9 ** turns);
+    else if (event.shiftKey && hold.action === "pose") hold.turn(orbit.axes()[2], -0.15 * turns);
     else if (hold.holds) hold.depth(-turns * 0.06 * orbit.metres(height) * height * 0.5, orbit.axes()[2]);
     else orbit.zoom(1.12 ** turns);
     this.picture.draw();
@@ -207,10 +217,8 @@ export class Touch {
     if (!this.picture.mayAct()) return;
     const hit = this.picture.pick(cell.x + cell.width / 2, cell.y + cell.height / 2, Math.max(cell.width, cell.height));
     if (!hit) return;
-    const away = this.picture.orbit.axes()[2];
-    if (this.store.tool === "ball") this.picture.hold.press(hit.surface, away);
-    else if (this.store.tool === "blade") this.picture.hold.cut(hit.surface, away);
-    else this.picture.hold.grab(hit.point, hit.place, hit.place, away);
+    const atPoint = this.store.tool === "grab" ? { ...hit, surface: hit.place } : hit;
+    this.picture.take(atPoint, this.picture.orbit.axes()[2]);
   }
 
   private key(event: KeyboardEvent): void {

@@ -131,19 +131,26 @@ def held_shares(parts: tuple[Part, ...], held: Float, nodes: int) -> Float:
 
 
 def grip_shares(parts: tuple[Part, ...], nodes: int) -> Float:
-    """How much of each node what holds tools follows, those of one tool after the other, (G, nodes).
+    """How much of each node what holds tools follows, (G + H, nodes).
+
+    First the G points of all, those of one tool after the other; then of each tool its handle, which is their middle,
+    and the way from there to each. A force at such a way is one at its point and the opposite at the handle: it only
+    turns.
 
     Args:
         parts: the bodies.
         nodes: of all.
     """
-    found = [np.zeros((0, nodes))]
+    points: list[Float] = [np.zeros((0, nodes))]
+    ways: list[Float] = []
     for part in parts:
         if part.tool is not None and part.tool.grips:
             own = np.zeros((len(part.tool.grips), nodes))
             own[:, part.first : part.last] = shares_of(part.rest(), np.array(part.tool.grips))
-            found.append(own)
-    return np.concatenate(found)
+            handle = own.mean(axis=0)
+            points.append(own)
+            ways += [handle[None], own - handle]
+    return np.concatenate([*points, *ways])
 
 
 def drawn_tools(body: "Body", faces: "CutSkin | None" = None) -> list[tuple[int, int, int]]:
@@ -167,6 +174,9 @@ def drawn_parts(
 ) -> list[dict[str, Any]]:
     """What a page tells several bodies apart by: `name`, `vertices` of its skin, and `colour`; of one body nothing.
 
+    A tool that can be held has a `tool`, too: its `slot`, which of that user's such tools it is (`number`, from 0), and
+    where its `handle` is at rest.
+
     Args:
         body: of one or several.
         colours: of the bodies, as "#rrggbb"; None or too few: the page's own.
@@ -176,10 +186,16 @@ def drawn_parts(
         return []
     given = [*colours, *[None] * len(body.parts)]
     each = [part.skin().vertices.shape[0] for part in body.parts] if faces is None else np.diff(faces.vertices)
-    return [
-        {"name": part.name, "vertices": int(count), "colour": colour}
-        for part, count, colour in zip(body.parts, each, given, strict=False)
-    ]
+    found: list[dict[str, Any]] = []
+    numbers: dict[int, int] = {}
+    for part, count, colour in zip(body.parts, each, given, strict=False):
+        found.append({"name": part.name, "vertices": int(count), "colour": colour})
+        if part.tool is not None and part.tool.grips:
+            slot = part.tool.owner
+            numbers[slot] = number = numbers.get(slot, -1) + 1
+            handle = np.mean(part.tool.grips, axis=0).tolist()
+            found[-1]["tool"] = {"slot": slot, "number": number, "handle": handle}
+    return found
 
 
 def cuttable_parts(parts: tuple[Part, ...], **limits: float) -> tuple[Part, ...]:

@@ -155,6 +155,7 @@ class CommandedHand:
         self._script, self._grasp = float(scripted), 0.0  # how much of each there is
         self._wanted = self._node
         self._silent = 0.0
+        self._pointed = False  # whether a pointer gave the last order
         self._requests = requests
         self._position: Float | None = None
 
@@ -173,7 +174,7 @@ class CommandedHand:
         if request is not None:
             self._silent = 0.0
             self._take(request)
-        elif self.mode in _BY_POINTER:
+        elif self.mode in _BY_POINTER or (self.mode == "pose" and self._pointed):
             self._silent += T
             if self._silent > SILENCE:
                 self.mode = "free"
@@ -204,6 +205,7 @@ class CommandedHand:
     def _take(self, request: HandCommand) -> None:
         """Begins with what it is told."""
         self.received = request.pointer or self.received
+        self._pointed = request.pointer > 0
         lacks = (request.mode == "ball" and self._ball is None) or (request.mode in _CUTTING and self._blade is None)
         lacks |= request.mode == "pose" and max(request.node, 0) >= self._posed.count
         mode = "free" if lacks else request.mode
@@ -257,12 +259,13 @@ class CommandedHand:
 
     def _pose(self, T: float) -> None:
         """Rigid tools that are led, once what the file says of them has faded."""
-        there, (speed, sharpness, rush) = self.mode == "pose" and self._script == 0.0, _PULLED
+        there, pointed = self.mode == "pose" and self._script == 0.0, self._pointed
+        speed, sharpness, rush = _POINTED if pointed else _PULLED
         if self._posed.act or there:
             assert self._position is not None
             gain = _toward(self._posed.gain, there, T, _GROW)
             motion = {"speed": speed * self._size, "sharpness": sharpness, "rush": rush * self._size}
-            self._posed.move(gain, T, self._position, **motion)
+            self._posed.move(gain, T, self._position, pointed=pointed, **motion)
 
     def _hold(self, end: float, T: float) -> None:
         """The spring at the node that was chosen."""

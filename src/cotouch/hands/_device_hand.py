@@ -1,4 +1,4 @@
-"""Hands that hold real devices: the proxy of each is a tool of the slot, or a node that it holds."""
+"""Hands that hold real devices: the proxy of each is a tool of the slot, round or rigid, or a node that it holds."""
 
 from collections.abc import Sequence
 from typing import Any, final
@@ -10,6 +10,7 @@ from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.errors import DeviceError
 from cotouch.hands._grasped import Grasped, GraspedBall, GraspedNode, more
+from cotouch.hands._grasped_tool import GraspedTool
 from cotouch.haptics import (
     LEAST_SCALE,
     MOST_SCALE,
@@ -20,7 +21,7 @@ from cotouch.haptics import (
     Vector,
 )
 from cotouch.mechanics import Contact, EnergyMessage, Model, Surface, Tools, idle_ports, own_ports
-from cotouch.members import Slot, coupling_of_slot, no_ports
+from cotouch.members import Slot, coupling_of_slot, handles_of, no_ports
 from cotouch.observers import size_of
 from cotouch.scenario import (
     HandTable,
@@ -31,6 +32,7 @@ from cotouch.scenario import (
     ports_of,
     tools_of,
     touching_of,
+    with_tools,
 )
 
 _NOWHERE: Vector = (0.0, 0.0, 0.0)
@@ -69,8 +71,6 @@ class DeviceHand:
         """
         scenario, body, model, slot = at.scenario, at.body, at.model, at.index
         links = [] if link is None else list(link) if isinstance(link, Sequence) else [link]
-        if links and body.tools:
-            raise DeviceError("the session has rigid tools, which no device leads or meets; take part without a device")
         wanted = _tools_wanted([one.said for one in links], slot)
         self.nodes: list[int] = []
         self.ports = no_ports(model)
@@ -79,7 +79,7 @@ class DeviceHand:
         self.contact: Contact | None = None
         self._touching: Touching | None = None
         self._slot = slot
-        self._nodes: list[GraspedNode] = []
+        self._attached: list[GraspedNode | GraspedTool] = []
         users = scenario.network.size
         own = [table for table in scenario.proxies if table.user == slot + 1]
         tables = _tables(own, body, slot, wanted)
@@ -91,17 +91,18 @@ class DeviceHand:
             self.surface, self.contact = self._touching.surface, self._touching.contact
             self.tools = tools_of(self._touching, slot)
             held: list[Grasped] = [GraspedBall(self.tools, k, table.radius) for k, table in enumerate(tables)]
+        elif any(tool.user == slot + 1 for tool in scenario.rigid_tools):
+            held = self._hold_tools(scenario, body, model, wanted if links else [])
         else:
             held = self._grasp(scenario, body, model, _nodes(scenario, body, slot, wanted))
-        self._holds = [_Unheld(one) for one in held]
-        if links:
-            found = [coupling_of_slot(scenario, at.devices, slot, number) for number in wanted]
-            self._holds = [_Hold(one, link, below, body) for one, link, below in zip(held, links, found, strict=True)]
+        self._holds: list[_Hold | _Unheld] = [_Unheld(one) for one in held]
+        for k, (number, one) in enumerate(zip(wanted, links, strict=False)):
+            self._holds[k] = _Hold(held[k], one, coupling_of_slot(scenario, at.devices, slot, number), body)
 
     def attach(self, position: Float) -> None:
         """Learns where the copy's rows are, as they move."""
-        for node in self._nodes:
-            node.position = position
+        for one in self._attached:
+            one.attach(position)
 
     def before(self, end: float, T: float) -> None:
         """Takes the newest of each device, and pulls its proxy towards it.
@@ -141,8 +142,37 @@ class DeviceHand:
         self.ports = own_ports(held, int(hands.first[slot]), int(hands.first[slot + 1]))
         for node, own in zip(nodes, ports, strict=True):
             x, y, z = (*body.held_rest[node - 1].tolist(), 0.0, 0.0)[:3]
-            self._nodes.append(GraspedNode(held, body.dimension, node - 1, (x, y, z), own.tolist()))
-        return list(self._nodes)
+            self._attached.append(GraspedNode(held, body.dimension, node - 1, (x, y, z), own.tolist()))
+        return list(self._attached)
+
+    def _hold_tools(self, scenario: Scenario, body: Body, model: Model, wanted: list[int]) -> list[Grasped]:
+        """The rigid tools of the slot: those that devices move, in their order, then all others, which no hand moves.
+
+        Raises:
+            DeviceError: a device is to move one that is not there, or that no spring holds.
+        """
+        slot = self._slot
+        none, ports = ports_of([], scenario.network.size, body, model)
+        hands, _, tools = with_tools(none, ports, scenario.rigid_tools, model, slot)
+        _check_count(wanted, len(tools), slot)
+        for number in wanted:
+            if tools[number].hand is None:
+                raise DeviceError(
+                    f"a device is to move tool {number + 1} of user {slot + 1}, which has no [tools.hand] whose "
+                    "springs turn it; give it one in the session's file"
+                )
+        numbers = dict(zip((k for k, tool in enumerate(tools) if tool.hand), handles_of(body, slot), strict=True))
+        order = [*wanted, *(k for k in numbers if k not in wanted)]
+        self.nodes = [number for k in order for number in numbers[k]]
+        self.ports, first = no_ports(model, [0] * len(self.nodes)), 0
+        for k in order:
+            points = hands.shape[tools[k].ports]
+            own = range(first, first + len(numbers[k]))
+            self.ports.shape[own[0]] = points.mean(axis=0)
+            self.ports.shape[own[1:]] = points - points.mean(axis=0)
+            self._attached.append(GraspedTool(self.ports, own, tools[k], model))
+            first = own.stop
+        return list(self._attached)
 
 
 @final
@@ -155,8 +185,8 @@ class _Unheld:
 
     def before(self, T: float) -> None:
         """Leaves it alone."""
-        del T
         self.grasped.drive(0.0, 1.0, self.grasped.place(), _NOWHERE)
+        self.grasped.turn(None, T)
 
     def after(self) -> None:
         """Tells nobody."""
@@ -203,6 +233,7 @@ class _Hold:
             _times(scale, pull.target),
             _times(1.0 / scale, pull.push),
         )
+        self.grasped.turn(None if report is None else report.orientation, T)
 
     def after(self) -> None:
         place = _times(1.0 / self._scale, self.grasped.place())
@@ -241,15 +272,11 @@ def _tables(own: list[ToolTable], body: Body, slot: int, wanted: list[int]) -> l
         DeviceError: the slot has not so many.
     """
     if own:
-        if max(wanted) >= len(own):
-            some = "only one tool" if len(own) == 1 else f"only {len(own)} tools"
-            raise DeviceError(
-                f"a device is to move tool {max(wanted) + 1} of user {slot + 1}, which has {some}; give the session's "
-                "file another [[tools]], or take part with fewer devices"
-            )
+        _check_count(wanted, len(own), slot)
         bare = {"hand": None, "device": None, "begin": 0.0, "release": None}
         return [own[number].model_copy(update=bare) for number in wanted]
-    if body.dimension != 3 or body.skin is None or not body.skin.triangles.size:
+    # A ball would meet everybody's rigid tools, also where these are not.
+    if body.dimension != 3 or body.skin is None or not body.skin.triangles.size or body.tools:
         return []
     low, high = body.rest.min(axis=0), body.rest.max(axis=0)
     radius = min(max(_FRACTION * float((high - low).max()), _SMALLEST), _LARGEST)
@@ -268,6 +295,20 @@ def _tables(own: list[ToolTable], body: Body, slot: int, wanted: list[int]) -> l
     ]
 
 
+def _check_count(wanted: list[int], count: int, slot: int) -> None:
+    """Sees that a slot has the tools that devices are to move.
+
+    Raises:
+        DeviceError: it has not so many.
+    """
+    if wanted and max(wanted) >= count:
+        some = "only one tool" if count == 1 else f"only {count} tools"
+        raise DeviceError(
+            f"a device is to move tool {max(wanted) + 1} of user {slot + 1}, which has {some}; give the session's "
+            "file another [[tools]], or take part with fewer devices"
+        )
+
+
 def _nodes(scenario: Scenario, body: Body, slot: int, wanted: list[int]) -> list[int]:
     """The nodes, from 1, that the file's hands of this slot hold; else, for one device, the one nearest to the middle.
 
@@ -282,8 +323,8 @@ def _nodes(scenario: Scenario, body: Body, slot: int, wanted: list[int]) -> list
             f"a device is to hold what hand {max(wanted) + 1} of user {slot + 1} holds, which has {len(own)}; "
             "give the session's file another [[hands]], or take part with fewer devices"
         )
-    middle = body.rest.mean(axis=0)
-    return [1 + int(np.argmin(np.linalg.norm(body.rest - middle, axis=1)))]
+    rest = body.rest[: body.shared]
+    return [1 + int(np.argmin(np.linalg.norm(rest - rest.mean(axis=0), axis=1)))]
 
 
 def _less(a: Vector, b: Vector) -> Vector:

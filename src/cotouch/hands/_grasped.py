@@ -1,4 +1,4 @@
-"""What a device's spring pulls at: a ball that touches or holds a body, or a node of it."""
+"""What a device's spring pulls at: a ball that touches or holds a body, or a node of it; see `GraspedTool`, too."""
 
 from collections.abc import Sequence
 from typing import Any, Protocol, final
@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.hands._commanded_hand import write_hand
-from cotouch.haptics import Vector
+from cotouch.haptics import Quaternion, Vector
 from cotouch.mechanics import Ports, Tools
 
 _NOWHERE: Vector = (0.0, 0.0, 0.0)
@@ -28,6 +28,15 @@ class Grasped(Protocol):
             damping: [Ns/m].
             target: where it is pulled to [m].
             push: force besides [N].
+        """
+        ...
+
+    def turn(self, orientation: Quaternion | None, T: float) -> None:
+        """Is told how the device is turned in the coming step; what has no orientation of its own ignores it.
+
+        Args:
+            orientation: quaternion xyzw; None: nothing is known.
+            T: length of the step [s].
         """
         ...
 
@@ -58,7 +67,7 @@ class GraspedBall:
 
     def place(self) -> Vector:
         """Of its centre [m]."""
-        return _vector(self._tools.place[self._row])
+        return vector(self._tools.place[self._row])
 
     def drive(self, stiffness: float, damping: float, target: Vector, push: Vector) -> None:
         """Sets what pulls it in the coming step.
@@ -74,9 +83,17 @@ class GraspedBall:
         tools.drive_start[row, :3] = tools.drive_end[row, :3] = target
         tools.push[row, :3] = push
 
+    def turn(self, orientation: Quaternion | None, T: float) -> None:
+        """Is the same however the device is turned.
+
+        Args:
+            orientation: of the device.
+            T: length of the step [s].
+        """
+
     def force(self) -> Vector:
         """Mean of what pulled it in the last step [N]."""
-        return _vector(self._tools.drive_force[self._row])
+        return vector(self._tools.drive_force[self._row])
 
     def show(self, fields: dict[str, npt.NDArray[Any]], k: int, target: Vector | None) -> None:
         """Writes it into a mailbox's fields.
@@ -107,13 +124,17 @@ class GraspedNode:
         self._ports, self._axes = ports, axes
         self._node, self._rest = node, rest
         self._own_ports = own_ports
-        self.position: Float | None = None  # of the copy's rows
+        self._position: Float | None = None
+
+    def attach(self, position: Float) -> None:
+        """Learns where the copy's rows are, as they move."""
+        self._position = position
 
     def place(self) -> Vector:
         """Displacement of the node [m]."""
-        if self.position is None:
+        if self._position is None:
             return _NOWHERE
-        ports, position = self._ports, self.position
+        ports, position = self._ports, self._position
         modal = ports.shape.shape[0] > 0
         rows = [ports.shape[p] @ position if modal else position[ports.row[p]] for p in self._own_ports]
         return self._spread(rows)
@@ -132,6 +153,14 @@ class GraspedNode:
             ports.stiffness[port], ports.damping[port] = stiffness, damping
             ports.start[port, :used] = ports.end[port, :used] = target[axis : axis + used]
             ports.push[port, :used] = push[axis : axis + used]
+
+    def turn(self, orientation: Quaternion | None, T: float) -> None:
+        """Is the same however the device is turned.
+
+        Args:
+            orientation: of the device.
+            T: length of the step [s].
+        """
 
     def force(self) -> Vector:
         """Mean of what pulled it in the last step [N]."""
@@ -165,6 +194,7 @@ def more(a: Vector, b: Vector) -> Vector:
     return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
 
 
-def _vector(row: Float) -> Vector:
+def vector(row: Float) -> Vector:
+    """The first three of a row's numbers, (>= 3,)."""
     x, y, z = row[:3].tolist()
     return x, y, z

@@ -6,13 +6,15 @@ from typing import final
 import numpy as np
 
 from cotouch.arrays import Float
-from cotouch.body import frame_of, shares_of, turn_vectors, turning
+from cotouch.body import frame_of, shares_of
 from cotouch.hands._motion import Mover
+from cotouch.hands._turning import Turner, nearest_to, turn_of, turned
 from cotouch.mechanics import Model, Ports
 from cotouch.scenario import RigidTool, rows_of
 
-# How fast one may turn [rad/s], how closely it follows [1/s], and how fast that changes [rad/s²]: see `Mover`.
-_TURNING = {"speed": 6.0, "sharpness": 8.0, "rush": 200.0}
+# How fast one may turn [rad/s], how closely it follows [1/s], and how fast that changes [rad/s²], by command and by
+# pointer: see `Mover`.
+_TURNING = ({"speed": 6.0, "sharpness": 8.0, "rush": 200.0}, {"speed": 12.0, "sharpness": 60.0, "rush": 1000.0})
 
 
 @final
@@ -26,26 +28,25 @@ class _PosedTool:
         self._rest, self._rows = tool.part.rest(), rows_of(tool.part, model)
         self._arms = np.array(tool.part.tool.grips) - tool.handle
         self._at = shares_of(self._rest, tool.handle[None])[0]
-        self._place, self._turn = Mover(3), Mover(3)
-        self.goal: tuple[list[float], list[float]] = (self._place.place, self._turn.place)
+        self._place, self._turn = Mover(3), Turner()
+        self.goal = self._place.place, self._turn.turn
 
     def stay(self, position: Float) -> None:
         """Is drawn to where it is: its springs are relaxed."""
         masses = self._rest + position[self._rows, :3]
-        turn = frame_of(masses) @ np.linalg.inv(frame_of(self._rest))
         self._place.put((self._at @ masses).tolist())
-        self._turn.put(turn_vectors(turn[None])[0].tolist())
+        self._turn.put(nearest_to(frame_of(masses) @ np.linalg.inv(frame_of(self._rest))))
 
     def rest_here(self, position: Float) -> None:
         """As `stay`, and it is to stay there."""
         self.stay(position)
-        self.goal = self._place.place, self._turn.place
+        self.goal = self._place.place, self._turn.turn
 
-    def move(self, gain: float, T: float, **motion: float) -> None:
+    def move(self, gain: float, T: float, *, pointed: bool, **motion: float) -> None:
         ports, own = self._ports, self._own
         ports.start[own, :3] = self._held()
         self._place.move(self.goal[0], T, **motion)
-        self._turn.move(self.goal[1], T, **_TURNING)
+        self._turn.move(self.goal[1], T, **_TURNING[pointed])
         ports.end[own, :3] = self._held()
         ports.push[own] = 0.0
         ports.stiffness[own] = 0.25 * gain * self._hand.stiffness
@@ -59,8 +60,7 @@ class _PosedTool:
 
     def _held(self) -> Float:
         """How far what holds it has gone from its start, (4, 3) [m]."""
-        turned = self._arms @ turning(self._turn.place).T
-        return np.array(self._place.place) + turned - self._arms - self._handle
+        return np.array(self._place.place) + turned(self._turn.turn, self._arms) - self._arms - self._handle
 
     def shown(self, position: Float) -> tuple[list[float], list[float], list[float]]:
         goal = self._handle + self._ports.end[self._own, :3].mean(axis=0)
@@ -106,21 +106,22 @@ class PosedTools:
         if not self.act:
             for tool in self._tools:
                 tool.rest_here(position)
-        self._tools[which].goal, self.led = (list(place), list(turn)), which
+        self._tools[which].goal, self.led = (list(place), turn_of(turn)), which
 
-    def move(self, gain: float, T: float, position: Float, **motion: float) -> None:
+    def move(self, gain: float, T: float, position: Float, *, pointed: bool, **motion: float) -> None:
         """What they do in the coming step.
 
         Args:
             gain: how much of the hands there is, 0 to 1.
             T: length of the step [s].
             position: of the copy, (rows, width) [m].
+            pointed: whether a pointer leads, as quickly as a wrist.
             **motion: of `Mover.move`.
         """
         for tool in self._tools:
             if self.gain == 0.0:
                 tool.stay(position)
-            tool.move(gain, T, **motion)
+            tool.move(gain, T, pointed=pointed, **motion)
         self.gain = gain
 
     def brake(self) -> None:

@@ -1,7 +1,7 @@
 """Devices that are held in a hand: what they have in common, and the loop that holds them safely."""
 
 from cotouch.haptics._conformance import CheckResult, conform
-from cotouch.haptics._core import Order, ServoCore, ServoReport
+from cotouch.haptics._core import Order, Quaternion, ServoCore, ServoReport
 from cotouch.haptics._coupling import COUPLING, LEAST_SCALE, MOST_SCALE, CouplingChoice, Scale, coupling_of
 from cotouch.haptics._device import Device, DeviceReading, Flag
 from cotouch.haptics._ends import DeviceEnd, EndOptions, ProxyEnd, checked
@@ -64,6 +64,7 @@ __all__ = [
     "Option",
     "Order",
     "ProxyEnd",
+    "Quaternion",
     "SafetyChain",
     "SafetyLimits",
     "Scale",

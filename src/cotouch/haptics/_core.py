@@ -26,6 +26,11 @@ _REARM, _SLOW = 1.0, 0.1
 _SLACK = 1e-6
 # Longest arm that the charge for turning forces assumes where a workspace is unknown [m].
 _LEVER = 0.1
+# By how much the square of an orientation's length may be off one.
+_UNIT = 2e-3
+
+
+Quaternion = tuple[float, float, float, float]
 
 
 class Order(NamedTuple):
@@ -93,6 +98,7 @@ class ServoReport(NamedTuple):
         buttons: bit n is button n.
         flags: of the device.
         coupling: number of the coupling, as the last order had it.
+        orientation: of the handle, quaternion xyzw; None: the device does not say.
     """
 
     time: float
@@ -108,6 +114,7 @@ class ServoReport(NamedTuple):
     buttons: int
     flags: Flag
     coupling: int = 0
+    orientation: Quaternion | None = None
 
 
 @final
@@ -256,6 +263,7 @@ class ServoCore:
             buttons=reading.buttons,
             flags=reading.flags,
             coupling=self.coupling,
+            orientation=_orientation(reading.orientation),
         )
 
     def _observe(self, place: Vector, T: float) -> None:
@@ -310,6 +318,14 @@ class ServoCore:
 def _vector(array: Sequence[float] | npt.NDArray[np.float64]) -> Vector:
     x, y, z = array
     return float(x), float(y), float(z)
+
+
+def _orientation(given: npt.NDArray[np.float64] | None) -> Quaternion | None:
+    """As it is handed on: a unit quaternion, or none."""
+    if given is None:
+        return None
+    x, y, z, w = (float(value) for value in given)
+    return (x, y, z, w) if abs(x * x + y * y + z * z + w * w - 1.0) < _UNIT else None
 
 
 def _finite(value: float) -> float:

@@ -35,6 +35,7 @@ _REPORT_FIELDS: Final = {
     "message": ((6,), "f8"),  # all but the last of `EnergyMessage`
     "ledger": ((2,), "f8"),  # work, excess
     "states": ((5,), "i8"),  # starved, causes, buttons, flags, number of the coupling
+    "orientation": ((4,), "f8"),  # 0: none
 }
 _ORDER_FIELDS: Final = {
     "time": ((), "f8"),
@@ -72,6 +73,7 @@ class ReportWriter:
         fields["message"][:] = message[:-1]
         fields["ledger"][:] = (report.work, report.excess)
         fields["states"][:] = (message.starved, report.causes, report.buttons, report.flags, report.coupling)
+        fields["orientation"][:] = 0.0 if report.orientation is None else report.orientation
         self._mailbox.publish()
 
     def close(self) -> None:
@@ -122,6 +124,7 @@ class ReportReader:
             return None
         work, excess = got["ledger"].tolist()
         starved, causes, buttons, flags, coupling = got["states"].tolist()
+        x, y, z, w = got["orientation"].tolist()
         return ServoReport(
             time=float(got["time"]),
             tick=int(got["tick"]),
@@ -136,6 +139,7 @@ class ReportReader:
             buttons=buttons,
             flags=Flag(flags),
             coupling=coupling,
+            orientation=(x, y, z, w) if any((x, y, z, w)) else None,
         )
 
     def close(self) -> None:

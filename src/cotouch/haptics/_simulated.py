@@ -28,6 +28,7 @@ VARIANTS = ("phantom", "cartesian", "touch")
 _LONGEST = 0.05
 # The hand goes round: so far to the sides, and down to where things are touched, in so many seconds [m, s].
 _SWEEP, _ROUND = (0.01, 0.012, 0.03), 4.0
+_MOST_TURN = 3.0
 
 
 def simulated_model(
@@ -87,14 +88,23 @@ class SimulatedOnClock:
         device: the device behind; None before `open`. Its ledger knows what the motors really did.
     """
 
-    def __init__(self, model: DeviceModel, spec: DeviceSpec, *, clock: Callable[[], float] = time.monotonic) -> None:
+    def __init__(
+        self, model: DeviceModel, spec: DeviceSpec, *, turn: float = 0.0, clock: Callable[[], float] = time.monotonic
+    ) -> None:
         """Prepares it.
 
         Args:
             model: with the law `commanded`.
             spec: that it says.
+            turn: how far its hand turns the handle to and fro about the upright; 0: it does not measure that [rad].
             clock: monotonic time [s].
+
+        Raises:
+            DeviceError: turn is out of range.
         """
+        if not 0.0 <= turn <= _MOST_TURN:
+            raise DeviceError(f"turn is {turn:g} rad; it must be from 0 to {_MOST_TURN:g} rad")
+        self._turn = turn
         self.spec = spec
         self.device: SimulatedDevice | None = None
         self._model, self._clock = model, clock
@@ -145,6 +155,7 @@ class SimulatedOnClock:
             velocity=sample.velocity,
             force=held.force,
             flags=flags | Flag.HELD if self._model.hand is not None else flags,
+            orientation=self._orientation(device.time),
         )
 
     def stop(self) -> None:
@@ -155,6 +166,10 @@ class SimulatedOnClock:
         """Stops, and lets go of it."""
         self.stop()
         self.device = None
+
+    def _orientation(self, t: float) -> Float | None:
+        half = 0.5 * self._turn * math.sin(2.0 * math.pi * t / _ROUND)
+        return np.array([0.0, 0.0, math.sin(half), math.cos(half)]) if self._turn else None
 
     def _opened(self) -> SimulatedDevice:
         if self.device is None:
@@ -168,10 +183,11 @@ def _halt(**options: str | float | bool) -> None:
 
 
 def _make(
-    *, variant: str = "phantom", hand: bool = True, sweep: float = 1.0, viscous: float | None = None
+    *, variant: str = "phantom", hand: bool = True, sweep: float = 1.0, viscous: float | None = None, turn: float = 0.0
 ) -> SimulatedOnClock:
     friction = None if viscous is None else float(viscous)
-    return SimulatedOnClock(simulated_model(variant, hand=hand, sweep=float(sweep), viscous=friction), _spec(variant))
+    model = simulated_model(variant, hand=hand, sweep=float(sweep), viscous=friction)
+    return SimulatedOnClock(model, _spec(variant), turn=float(turn))
 
 
 SIMULATED = Driver(
@@ -184,6 +200,7 @@ SIMULATED = Driver(
         "hand": "whether a hand holds it: true or false",
         "sweep": "how far the hand goes, a factor from 0 to 3",
         "viscous": "friction of a Touch or light mass, 0 to 20 Ns/m",
+        "turn": "how far the hand turns its handle to and fro, 0 to 3 rad",
     },
     halt=_halt,
     watchdog="It lives in the process that drives it, and ends with it.",

@@ -31,7 +31,8 @@ from cotouch.mechanics._step import assemble
 from cotouch.mechanics._surface import Surface, refit
 from cotouch.mechanics._tools import BLADE, GRASP, TOUCH, TOUCH_LOSS, TOUCH_STORED, Tools
 from cotouch.mechanics._vector import load, splat, store
-from cotouch.mechanics._world_force import lean_world, looks_of, take_up
+from cotouch.mechanics._world_force import looks_of, take_up
+from cotouch.mechanics._world_lean import lean_world
 
 # Looks at most; the change of forces at which they end, and at which one more correction is enough.
 _LOOKS = 12

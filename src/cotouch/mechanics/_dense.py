@@ -4,7 +4,9 @@ from cotouch.arrays import Float
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import Ports, Workspace
-from cotouch.mechanics._vector import at, put
+from cotouch.mechanics._vector import at, load, put, store
+
+FOUR = (0, 0, 0, 0)
 
 
 @part
@@ -54,7 +56,11 @@ def _add(matrix: Float, i: int, j: int, value: float) -> None:
 
 @part
 def _eliminate(matrix: Float, right: Float, size: int) -> None:
-    """Gauss's elimination with the largest pivot of each column; a column without one is left out."""
+    """Gauss's elimination with the largest pivot of each column; a column without one is left out.
+
+    Rows go by fours, which four masses of each body are. What that changes left of a pivot is not read again.
+    """
+    blocks = size // 4
     for k in range(size):
         best, most = k, abs(at(matrix, (k, k)))
         for p in range(k + 1, size):
@@ -65,10 +71,10 @@ def _eliminate(matrix: Float, right: Float, size: int) -> None:
             put(right, k, 0.0)
             continue
         if best != k:
-            for q in range(k, size):
-                value = at(matrix, (k, q))
-                put(matrix, (k, q), at(matrix, (best, q)))
-                put(matrix, (best, q), value)
+            for q in range(k // 4, blocks):
+                row = load(matrix, k * blocks + q, FOUR)
+                store(matrix, k * blocks + q, load(matrix, best * blocks + q, FOUR), FOUR)
+                store(matrix, best * blocks + q, row, FOUR)
             value = at(right, k)
             put(right, k, at(right, best))
             put(right, best, value)
@@ -77,12 +83,13 @@ def _eliminate(matrix: Float, right: Float, size: int) -> None:
             factor = inverse * at(matrix, (p, k))
             if factor == 0.0:
                 continue
-            for q in range(k + 1, size):
-                put(matrix, (p, q), at(matrix, (p, q)) - factor * at(matrix, (k, q)))
+            for q in range((k + 1) // 4, blocks):
+                row = load(matrix, p * blocks + q, FOUR) - factor * load(matrix, k * blocks + q, FOUR)
+                store(matrix, p * blocks + q, row, FOUR)
             put(right, p, at(right, p) - factor * at(right, k))
     for back in range(size):
         k = size - 1 - back
-        value = at(right, k)
-        for q in range(k + 1, size):
-            value -= at(matrix, (k, q)) * at(right, q)
-        put(right, k, value / at(matrix, (k, k)))
+        value = at(right, k) / at(matrix, (k, k))
+        put(right, k, value)
+        for p in range(k):
+            put(right, p, at(right, p) - at(matrix, (p, k)) * value)

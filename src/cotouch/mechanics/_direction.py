@@ -9,7 +9,8 @@ from cotouch.mechanics._solve import solve_step
 from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
 from cotouch.mechanics._step import assemble
 from cotouch.mechanics._vector import at, load, put, splat, store, total
-from cotouch.mechanics._world_force import lean_world, press_world
+from cotouch.mechanics._world_force import press_world
+from cotouch.mechanics._world_lean import lean_world
 
 # How much of what the last look missed the next may leave.
 COARSE = 0.03
@@ -313,18 +314,24 @@ def _lean(
     op: Operator, force: BodyForce, state: State, T: float, rate: Float, work: Workspace, lanes: tuple[int, ...]
 ) -> bool:
     """Puts the law's tangent at a rate into `dense`, and off `tension` what that does; whether the rate has settled."""
-    among, dense = work.among, work.dense
+    among, dense, rates = work.among, work.dense, work.answer
     for p in range(dense.shape[0]):
         for q in range(dense.shape[1]):
             put(dense, (p, q), 0.0)
     lean(force.law, state.memory, state.position, work.ahead, rate, T, dense, lanes)
     change, size = 0.0, 0.0
     for r in range(among.shape[0]):
-        i = at(among, r)
         for a in range(3):
-            given = 0.0
-            for q in range(dense.shape[1]):
-                given += at(dense, (3 * r + a, q)) * at(rate, (at(among, q // 3), q % 3))
+            put(rates, 3 * r + a, at(rate, (at(among, r), a)))
+    for r in range(among.shape[0]):
+        i, gx, gy, gz = at(among, r), 0.0, 0.0, 0.0
+        for q in range(dense.shape[1]):
+            value = at(rates, q)
+            gx += at(dense, (3 * r, q)) * value
+            gy += at(dense, (3 * r + 1, q)) * value
+            gz += at(dense, (3 * r + 2, q)) * value
+        for a in range(3):
+            given = gx if a == 0 else gy if a == 1 else gz
             put(state.tension, (i, a), at(state.tension, (i, a)) - op.firmness * given)
             change += (at(rate, (i, a)) - at(work.tried, (i, a))) ** 2
             size += at(rate, (i, a)) ** 2

@@ -258,10 +258,10 @@ def _couple(world: World, m: Meeting, e: int, f: int, firm: float) -> None:
             count = _note(world, m, count, at(m.row, n), -at(m.ended, (e, 4 + q)) * at(m.share, n))
     for i in range(count):
         one, own = at(m.moved, i), firm * at(m.coefficient, i)
-        for j in range(count):
-            place = (one, at(m.moved, j))
-            if place[0] >= place[1]:
-                put(m.alike, place, at(m.alike, place) + own * at(m.coefficient, j))
+        for j in range(i + 1):
+            other = at(m.moved, j)
+            place = (max(one, other), min(one, other))
+            put(m.alike, place, at(m.alike, place) + own * at(m.coefficient, j))
 
 
 @part

@@ -79,7 +79,7 @@ def keep_nearer(m: Meeting, place: Float, f: int, x: float, y: float, z: float, 
     Of two that are as near, at an edge or a corner, it is the one whose plane is farther away, whose side of it is the
     side of the skin. `out` gets for now the square of the distance, and the height above the plane beside it.
     """
-    if is_hidden(m, f):
+    if is_hidden(m, f) or f == at(m.face, (e, col)):
         return
     i, j, k = at(m.corner, (f, 0)), at(m.corner, (f, 1)), at(m.corner, (f, 2))
     best = at(out, (e, 0))

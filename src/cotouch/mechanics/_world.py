@@ -80,6 +80,7 @@ class World(NamedTuple):
         share: how much of each, (entries,).
         rest: places of the points at rest, less `origin`, (P, 4) [m].
         area: of the skin that each stands for, (P,) [m²].
+        reach: most that a point moves, as a multiple of the row that moves farthest.
         moves: how many of them the body carries; the others are of solids that stand still.
         kind: of each obstacle, (S,).
         numbers: of its shape, (S, NUMBERS).
@@ -92,6 +93,9 @@ class World(NamedTuple):
         rigid: which of the rows that are solved for at once each row is, (rows,); negative: none of them.
         couple: scratch: what resists motion between these, (3 of them, 3 of them) [Ns/m].
         told: scratch: force on each point by the last look, ((S + 1) * P, 4), or (S * P, 4) of one body [N].
+        start: scratch: displacement of each point at the start of the step, and how far it is from all obstacles,
+            (P, 4) [m].
+        known: scratch: 1 where these are of the step at hand, (1,).
         tried: scratch: velocity of the rows at the last look, (rows, 4) [m/s].
         force: result: mean force of each obstacle on the whole body in the step, solids last, (obstacles, 4) [N].
         offset: where in a copy's memory begins, for each obstacle and point and each point and other bodies, how deep
@@ -113,6 +117,7 @@ class World(NamedTuple):
     share: Float
     rest: Float
     area: Float
+    reach: float
     moves: int
     kind: Int
     numbers: Float
@@ -125,6 +130,8 @@ class World(NamedTuple):
     rigid: Int
     couple: Float
     told: Float
+    start: Float
+    known: Float
     tried: Float
     force: Float
     offset: int

@@ -20,14 +20,17 @@ from cotouch.mechanics._meeting_force import (
 )
 from cotouch.mechanics._meeting_look import begin_bodies, point_away
 from cotouch.mechanics._shape import depth, passes
-from cotouch.mechanics._state import WORLD_FORCE, Workspace
-from cotouch.mechanics._vector import at, load, put, splat, store
+from cotouch.mechanics._state import WORLD_FORCE
+from cotouch.mechanics._vector import at, put, splat, store
 from cotouch.mechanics._world import World
+from cotouch.mechanics._world_lean import couple, mirror
 from cotouch.mechanics._world_offset import follow_offset, offset_of
 
 # Looks at most that a step with obstacles takes, and the change of forces from one to the next at which they end.
 _LOOKS = 16
 _SETTLED = 1e-7
+# What rounding may add to how far a point comes, as a factor.
+_SURELY = 1.0 + 1e-9
 # Result of one point: force on the body, energy held, energy lost, what resists motion, stretch at the end, whether it
 # slips, and whether it passed through; then the normal, and what resists along it and across.
 _Point = tuple[
@@ -143,6 +146,7 @@ def _place(world: World, p: int, x: Float) -> tuple[float, float, float]:
 def take_up(world: World | None, memory: Float) -> None:
     """Takes the stretches that the last step came to as those that the next begins with."""
     if world is not None:
+        put(world.known, 0, 0.0)
         count = 4 * world.told.shape[0]
         for n in range(count):
             put(memory, world.first + n, at(memory, world.first + count + n))
@@ -152,6 +156,34 @@ def take_up(world: World | None, memory: Float) -> None:
                 put(memory, world.offset + n, at(memory, world.offset + count + n))
                 put(memory, world.offset + count + n, 0.0)
         begin_bodies(world.bodies)
+
+
+@part
+def _begin(world: World, x: Float) -> None:
+    """Notes where all points start, and how far each is from what it may meet."""
+    for p in range(world.moves):
+        ux, uy, uz = _place(world, p, x)
+        rx, ry, rz = at(world.rest, (p, 0)) + ux, at(world.rest, (p, 1)) + uy, at(world.rest, (p, 2)) + uz
+        clear = math.inf
+        for s in range(world.kind.shape[0]):
+            deep, _, _, _, _ = depth(at(world.kind, s), world.numbers, s, rx, ry, rz)
+            clear = min(clear, -deep)
+        put(world.start, (p, 0), ux)
+        put(world.start, (p, 1), uy)
+        put(world.start, (p, 2), uz)
+        put(world.start, (p, 3), clear)
+    put(world.known, 0, 1.0)
+
+
+@inner
+def _tell(world: World, p: int, fx: float, fy: float, fz: float) -> float:
+    """Keeps the force on a point; returns the square of what it changed by since the last look."""
+    change = (fx - at(world.told, (p, 0))) ** 2
+    change += (fy - at(world.told, (p, 1))) ** 2 + (fz - at(world.told, (p, 2))) ** 2
+    put(world.told, (p, 0), fx)
+    put(world.told, (p, 1), fy)
+    put(world.told, (p, 2), fz)
+    return change
 
 
 @part
@@ -174,8 +206,12 @@ def press_world(
     """
     if world is None:
         return True
-    change, size = 0.0, 0.0
+    change, size, far = 0.0, 0.0, 0.0
     for i in range(world.hold.shape[0]):  # what the last look leaned on has moved since
+        way = 0.0
+        for a in range(3):
+            way += abs(at(ahead, (i, a)) - at(x, (i, a)))
+        far = max(far, way)
         hold = at(world.hold, i)
         if hold != 0.0:
             for a in range(3):
@@ -184,10 +220,16 @@ def press_world(
         put(world.hold, i, 0.0)
     for n in range(world.couple.size):
         put(world.couple, n, 0.0)
+    far *= _SURELY * world.reach
+    if world.kind.shape[0] > 0 and at(world.known, 0) == 0.0:
+        _begin(world, x)
     for p in range(world.moves if world.kind.shape[0] > 0 else 0):
         if at(world.there, p) == 0.0 or point_away(world.bodies, memory, p):
             continue
-        ux, uy, uz = _place(world, p, x)
+        if at(world.start, (p, 3)) > far:  # it meets nothing on its way
+            change += _tell(world, p, 0.0, 0.0, 0.0)
+            continue
+        ux, uy, uz = at(world.start, (p, 0)), at(world.start, (p, 1)), at(world.start, (p, 2))
         vx, vy, vz = _place(world, p, ahead)
         rx, ry, rz = at(world.rest, (p, 0)) + ux, at(world.rest, (p, 1)) + uy, at(world.rest, (p, 2)) + uz
         fx = fy = fz = firm = 0.0
@@ -197,13 +239,9 @@ def press_world(
             )
             fx, fy, fz, firm = fx + a, fy + b, fz + c, firm + resists
             if resists > 0.0 or along > 0.0:
-                _couple(world, p, nx, ny, nz, along - across, across)
-        change += (fx - at(world.told, (p, 0))) ** 2
-        change += (fy - at(world.told, (p, 1))) ** 2 + (fz - at(world.told, (p, 2))) ** 2
+                couple(world, p, nx, ny, nz, along - across, across)
+        change += _tell(world, p, fx, fy, fz)
         size += fx * fx + fy * fy + fz * fz
-        put(world.told, (p, 0), fx)
-        put(world.told, (p, 1), fy)
-        put(world.told, (p, 2), fz)
         if firm == 0.0 and fx == 0.0 and fy == 0.0 and fz == 0.0:
             continue
         fx, fy, fz = firmness * fx, firmness * fy, firmness * fz
@@ -213,47 +251,22 @@ def press_world(
             put(out, (i, 1), at(out, (i, 1)) - share * fy)
             put(out, (i, 2), at(out, (i, 2)) - share * fz)
             put(world.hold, i, at(world.hold, i) + abs(share) * firm)
+    mirror(world)
     more, beside = press_bodies(world, world.bodies, firmness, memory, x, ahead, T, out)
     change, size = change + more, size + beside
     return change <= _SETTLED * _SETTLED * size
 
 
 @inner
-def _couple(world: World, p: int, nx: float, ny: float, nz: float, more: float, across: float) -> None:
-    """Adds what resists motion of a point, `across I + more n nᵀ`, to what couples the rows that carry it."""
-    if world.couple.shape[0] > 0:
-        for e in range(at(world.pointer, p), at(world.pointer, p + 1)):
-            i = 3 * at(world.rigid, at(world.row, e))
-            for other in range(at(world.pointer, p), at(world.pointer, p + 1) if i >= 0 else 0):
-                j, share = 3 * at(world.rigid, at(world.row, other)), at(world.share, e) * at(world.share, other)
-                for a in range(3):
-                    n = nx if a == 0 else ny if a == 1 else nz
-                    for b in range(3):
-                        m = nx if b == 0 else ny if b == 1 else nz
-                        place = (i + a, j + b)
-                        value = more * n * m + (across if a == b else 0.0)
-                        put(world.couple, place, at(world.couple, place) + share * value)
-
-
-@part
-def lean_world(world: World | None, copy_scale: float, rate: Float, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Puts what resists at the touched rows into the linear system, about the rate at which forces were worked out."""
-    if world is not None:
-        for i in range(world.hold.shape[0]):
-            store(world.tried, i, load(rate, i, lanes), lanes)
-            hold = copy_scale * at(world.hold, i)
-            r = 3 * at(world.rigid, i)
-            if r >= 0:
-                for a in range(3):
-                    resisted = 0.0
-                    for q in range(world.couple.shape[0]):
-                        hold = copy_scale * at(world.couple, (r + a, q))
-                        resisted += hold * at(rate, (at(work.among, q // 3), q % 3))
-                        put(work.dense, (r + a, q), at(work.dense, (r + a, q)) + hold)
-                    put(work.rhs, (i, a), at(work.rhs, (i, a)) + resisted)
-            elif hold != 0.0:
-                put(work.diagonal, i, at(work.diagonal, i) + hold)
-                store(work.rhs, i, load(work.rhs, i, lanes) + hold * load(rate, i, lanes), lanes)
+def _forgets(world: World, memory: Float, p: int, points: int, kept: int) -> bool:
+    """Whether nothing is stretched at a point; then nothing will be where it meets nothing."""
+    held = 0.0
+    for s in range(world.kind.shape[0]):
+        for a in range(4):
+            place = 4 * (s * points + p) + a
+            held += abs(at(memory, world.first + place))
+            put(memory, kept + place, 0.0)
+    return held == 0.0
 
 
 @part
@@ -278,8 +291,18 @@ def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: f
     for s in range(world.force.shape[0]):
         store(world.force, s, zero, (0, 0, 0, 0))
     begin_work(world.bodies)
+    far = 0.0
+    for i in range(world.hold.shape[0]):
+        way = 0.0
+        for a in range(3):
+            way += abs(at(ahead, (i, a)) - at(x, (i, a)))
+        far = max(far, way)
+    far *= _SURELY * world.reach
+    sure = at(world.known, 0) != 0.0 and world.offset < 0
     for p in range(world.moves if world.kind.shape[0] > 0 else 0):
         if at(world.there, p) == 0.0 or point_away(world.bodies, memory, p):
+            continue
+        if sure and at(world.start, (p, 3)) > far and _forgets(world, memory, p, points, kept):
             continue
         ux, uy, uz = _place(world, p, x)
         vx, vy, vz = _place(world, p, ahead)

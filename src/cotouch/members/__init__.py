@@ -6,7 +6,7 @@ from cotouch.members._device_table import coupling_of_slot
 from cotouch.members._emulate import path_laws
 from cotouch.members._felt import Felt, felt
 from cotouch.members._file import MOST_USERS, SessionFile
-from cotouch.members._hand import Hand, NoHand, ScriptedHand, Slot, grips_of, no_ports
+from cotouch.members._hand import Hand, NoHand, ScriptedHand, Slot, grips_of, handles_of, no_ports
 from cotouch.members._host import Host
 from cotouch.members._links import Pair, delays_of, present_links
 from cotouch.members._member import Member
@@ -63,6 +63,7 @@ __all__ = [
     "felt",
     "genuine",
     "grips_of",
+    "handles_of",
     "no_ports",
     "pace_numbers",
     "path_laws",

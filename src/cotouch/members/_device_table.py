@@ -84,7 +84,7 @@ def coupling_of_slot(scenario: Scenario, devices: Sequence[DeviceTable], slot: i
     found = CouplingChoice()
     for table in fitting:
         found = found.over(table.said())
-    own = [table.device for table in scenario.proxies if table.user == slot + 1]
+    own = [table.device for table in (*scenario.proxies, *scenario.rigid_tools) if table.user == slot + 1]
     simulated = own[tool] if tool < len(own) else None
     if simulated is None or simulated.coupling == "host_force":
         return found

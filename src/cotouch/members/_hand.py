@@ -135,6 +135,24 @@ def grips_of(body: Body, slot: int) -> list[int]:
     return [body.holds + grip for grip, user in enumerate(owner) if user == slot]
 
 
+def handles_of(body: Body, slot: int) -> list[list[int]]:
+    """Numbers, as those of `grips_of`, of each tool's handle and the ways from there; of tools that can be held.
+
+    Args:
+        body: with tools.
+        slot: the user's.
+    """
+    held = [part.tool for part in body.tools if part.tool is not None and part.tool.grips]
+    first = body.holds + sum(len(tool.grips) for tool in held)
+    found: list[list[int]] = []
+    for tool in held:
+        last = first + 1 + len(tool.grips)
+        if tool.owner == slot:
+            found.append(list(range(first, last)))
+        first = last
+    return found
+
+
 @final
 class NoHand:
     """Takes part without touching anything."""

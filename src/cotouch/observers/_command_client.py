@@ -93,7 +93,7 @@ class CommandClient:
             target=pointer.target,
             start=pointer.target,
             edge=pointer.edge,
-            turn=_ZERO,
+            turn=pointer.turn,
             radius=pointer.radius,
             stiffness=pointer.stiffness,
         )

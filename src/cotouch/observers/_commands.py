@@ -19,6 +19,8 @@ HAND_MODES: tuple[HandMode, ...] = ("script", "free", "hold", "pull", "wander", 
 
 # A place farther from rest than this is a mistake [m].
 FARTHEST = 1e4
+# A rotation vector needs no more [rad].
+MOST_TURN = 4.0
 # Most that may be emulated [s].
 _LONGEST = 5.0
 # Every pair of 32 users.
@@ -29,7 +31,7 @@ _QUOTED = 60
 Slot = Annotated[int, Field(ge=0, le=255, description="the slot of a user, counted from 0")]
 Coordinate = Annotated[float, Field(ge=-FARTHEST, le=FARTHEST)]
 Place = Annotated[tuple[Coordinate, Coordinate, Coordinate], Strict(False)]
-Angle = Annotated[float, Field(ge=-4.0, le=4.0)]
+Angle = Annotated[float, Field(ge=-MOST_TURN, le=MOST_TURN)]
 Turn = Annotated[tuple[Angle, Angle, Angle], Strict(False)]
 Ends = Annotated[tuple[Slot, Slot], Strict(False)]
 Seconds = Annotated[float | None, Field(ge=0.0, le=_LONGEST, description=f"from 0 to {_LONGEST:g} s")]
@@ -67,7 +69,7 @@ class MoveHand(_Parts):
     to: Annotated[Place | None, Field(description=_NUMBERS)] = None
     at: Annotated[Place | None, Field(description=_NUMBERS)] = None
     edge: Annotated[Place | None, Field(description=_NUMBERS)] = None
-    turn: Annotated[Turn | None, Field(description="3 numbers, each at most 4 rad")] = None
+    turn: Annotated[Turn | None, Field(description=f"3 numbers, each at most {MOST_TURN:g} rad")] = None
 
     @model_validator(mode="after")
     def _has_what_it_needs(self) -> Self:

@@ -114,12 +114,13 @@ class Pointer:
 
     Attributes:
         number: rises.
-        mode: "grab", "ball", "blade" or "free".
-        node: to hold, with "grab".
+        mode: "grab", "ball", "blade", "pose" or "free".
+        node: to hold, with "grab"; with "pose" which of the user's rigid tools, from 0.
         target: (3,) [m].
         radius: of the ball [m].
         stiffness: of the hand [N/m]; 0: as it was.
         edge: of the blade, from `target` to the other end, (3,) [m].
+        turn: of the rigid tool from its start, along the axis of turning, as long as the angle, (3,) [rad].
     """
 
     number: int
@@ -129,6 +130,7 @@ class Pointer:
     radius: float = 0.0
     stiffness: float = 0.0
     edge: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    turn: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 @final

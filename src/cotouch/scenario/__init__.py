@@ -5,6 +5,14 @@ from cotouch.scenario._body_tables import FileTable
 from cotouch.scenario._channel import Channel
 from cotouch.scenario._hands import Hands, grip, ports_of
 from cotouch.scenario._law_choice import makes_tree, options_of_springs, with_law_of_session
+from cotouch.scenario._leading import (
+    Leading,
+    begin_lead,
+    begin_lead_alone,
+    end_lead,
+    end_lead_alone,
+    leading_of,
+)
 from cotouch.scenario._messages import sentence
 from cotouch.scenario._penetration import resolve_penetration
 from cotouch.scenario._per_user import per_user
@@ -42,6 +50,7 @@ __all__ = [
     "FileTable",
     "HandTable",
     "Hands",
+    "Leading",
     "Mode",
     "NonNegative",
     "Positive",
@@ -61,9 +70,14 @@ __all__ = [
     "after_step_alone",
     "before_step",
     "before_step_alone",
+    "begin_lead",
+    "begin_lead_alone",
     "colours_of",
+    "end_lead",
+    "end_lead_alone",
     "grip",
     "keep_tools",
+    "leading_of",
     "makes_tree",
     "options_of_springs",
     "per_user",

@@ -11,9 +11,9 @@ from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.scenario._body_tables import FileTable, RigidBoxTable, RigidCylinderTable, RigidSphereTable
 from cotouch.scenario._tables import NonNegative, Number, Place, Positive, Table
-from cotouch.scenario._tool_tables import RIGID, ToolPath, ToolTable
+from cotouch.scenario._tool_tables import RIGID, SimulatedDeviceTable, ToolHand, ToolPath, ToolTable
 
-_OWN = ("user", "at", "turn", "handle", "hand")
+_OWN = ("user", "at", "turn", "handle", "hand", "device")
 
 
 def is_rigid_tool(given: object) -> bool:
@@ -93,6 +93,8 @@ class RigidToolTable(Table):
         turn: how it is turned about that at the start: along the axis of turning, as long as the angle [rad].
         handle: from `at` to where the hand holds it at the start; forces and torques are about that [m].
         hand: what moves it; None: nothing does.
+        device: the simulated device in between, in the simulator: its coupling leads the handle, and the hand turns the
+            tool beside it.
         solid: its shape and mass.
     """
 
@@ -101,6 +103,7 @@ class RigidToolTable(Table):
     turn: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
     handle: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
     hand: PoseHand | None = None
+    device: SimulatedDeviceTable | None = None
     solid: Solid
 
     @model_validator(mode="before")
@@ -116,11 +119,34 @@ class RigidToolTable(Table):
             raise ValueError(f'model is "{solid["model"]}", but a tool is rigid; leave it out')
         return {**own, "solid": solid}
 
+    @model_validator(mode="after")
+    def _after(self) -> Self:
+        if self.device is not None and self.hand is None:
+            raise ValueError("device is given, but no hand, whose springs turn the tool; give it a [tools.hand]")
+        return self
+
     @model_serializer(mode="wrap")
     def _joined(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
         table: dict[str, Any] = handler(self)
         solid = table.pop("solid")
+        if table.get("device") is None:
+            table.pop("device", None)
         return {**table, **solid}
+
+    def led(self) -> ToolTable:
+        """Its handle as what a device moves, with the hand that moves that."""
+        place = [a + b for a, b in zip(self.at, self.handle, strict=True)]
+        if self.hand is None:
+            return ToolTable(user=self.user, at=place, kind="grasp")
+        given = self.hand
+        hand = ToolHand(
+            path=[row[:4].tolist() for row in given.poses()],
+            stiffness=given.stiffness,
+            damping=given.damping,
+            begin=given.begin,
+            release=given.release,
+        )
+        return ToolTable(user=self.user, at=place, kind="grasp", hand=hand, device=self.device)
 
     def build(self) -> Body:
         """The body, where its table has it.

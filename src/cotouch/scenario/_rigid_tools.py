@@ -38,7 +38,7 @@ class RigidTool:
         user: whose it is, from 0.
         part: among the bodies.
         handle: where the hand holds it at rest, (3,) [m].
-        ports: that hold it, (4,), or (0,) where nothing does.
+        ports: that hold it, (4,), or (0,) where nothing does; with a device (5,): its handle, and ways from there.
         shares: how much of each of its masses a port's point follows, (ports, 4).
         hand: what moves it; None: nothing does.
     """
@@ -109,7 +109,13 @@ def refuse_unfit(body: Body, name: str, *, balls: bool) -> None:
 
 
 def with_tools(
-    hands: Hands, ports: Int, tables: Sequence[RigidToolTable], ready: Model, user: int | None = None
+    hands: Hands,
+    ports: Int,
+    tables: Sequence[RigidToolTable],
+    ready: Model,
+    user: int | None = None,
+    *,
+    devices: bool = False,
 ) -> tuple[Hands, Int, list[RigidTool]]:
     """Ports that hold tools beside those of hands, ordered by user; ports of each hand; and the tools.
 
@@ -119,6 +125,7 @@ def with_tools(
         tables: of the tools.
         ready: the body with the tools as its last parts, for the kernels.
         user: whose tools only, from 0; None: those of all.
+        devices: whether simulated devices lead the handles of tools that have some; else hands move these themselves.
 
     Raises:
         ScenarioError: a path turns too far.
@@ -127,7 +134,7 @@ def with_tools(
     owner = np.repeat(np.arange(users), np.diff(hands.first)).tolist()
     numbers = np.stack([hands.stiffness, hands.damping, hands.begin, hands.release, hands.frequency, hands.phase])
     shapes, forced, amplitude = [hands.shape], [hands.forced], [hands.amplitude]
-    columns = [numbers]
+    columns: list[Float] = [numbers]
     held_paths = pairwise(hands.path_first.tolist())
     paths: list[tuple[Float, Float]] = [(hands.path_time[a:b], hands.path_value[a:b]) for a, b in held_paths]
     handles: list[Float] = []
@@ -141,17 +148,24 @@ def with_tools(
             continue
         assert part.tool is not None
         points, own = np.array(part.tool.grips), table.hand
-        shape = np.zeros((4, body.nodes))
         held[-1] = shares_of(part.rest(), points)
-        shape[:, rows_of(part, ready)] = held[-1]
         release = np.inf if own.release is None else own.release
-        column = [own.stiffness / 4.0, own.damping / 4.0, own.begin, release, 0.0, 0.0]
+        column = [[own.stiffness / 4.0, own.damping / 4.0, own.begin, release, 0.0, 0.0]] * 4
+        led = devices and table.device is not None
+        if led:  # the coupling writes what pulls the handle
+            middle = held[-1].mean(axis=0)
+            held[-1] = np.concatenate([middle[None], held[-1] - middle])
+            column = [[0.0, 0.0, 0.0, np.inf, 0.0, 0.0], *column]
+            paths.append((np.zeros(1), np.zeros((1, 4))))
+        count = len(column)
+        shape = np.zeros((count, body.nodes))
+        shape[:, rows_of(part, ready)] = held[-1]
         shapes.append(shape)
-        columns.append(np.tile(np.array(column)[:, None], 4))
-        forced.append(np.zeros(4, dtype=np.bool_))
-        amplitude.append(np.zeros((4, hands.amplitude.shape[1])))
-        owner += [table.user - 1] * 4
-        paths += _paths(own, points - handles[-1], part.name)
+        columns.append(np.array(column).T)
+        forced.append(np.zeros(count, dtype=np.bool_))
+        amplitude.append(np.zeros((count, hands.amplitude.shape[1])))
+        owner += [table.user - 1] * count
+        paths += _paths(own, points - handles[-1], part.name, goes=not led)
     order = np.argsort(owner, kind="stable")
     place = np.argsort(order).astype(np.int32)
     stiffness, damping, begin, release, frequency, phase = (
@@ -199,8 +213,8 @@ def _points(hand: PoseHand, handle: Float) -> Float:
     return handle + np.sqrt(hand.turning_stiffness / (2.0 * hand.stiffness)) * SIGNS
 
 
-def _paths(hand: PoseHand, about: Float, name: str) -> list[tuple[Float, Float]]:
-    """Times and displacements of the four points."""
+def _paths(hand: PoseHand, about: Float, name: str, *, goes: bool) -> list[tuple[Float, Float]]:
+    """Times and displacements of the four points; unless it goes, as if it only turned."""
     given = hand.poses()
     turned = np.linalg.norm(np.diff(given[:, 4:], axis=0), axis=1)
     pieces = np.maximum(np.ceil(turned / _STRAIGHT), 1.0)
@@ -215,6 +229,8 @@ def _paths(hand: PoseHand, about: Float, name: str) -> list[tuple[Float, Float]]
     result: list[tuple[Float, Float]] = []
     for point in about:
         value = np.zeros((poses.shape[0], 4))
-        value[:, :3] = poses[:, 1:4] + turns @ point - point
+        value[:, :3] = turns @ point - point
+        if goes:
+            value[:, :3] += poses[:, 1:4]
         result.append((poses[:, 0].copy(), value))
     return result

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from cotouch.body import Body
 from cotouch.errors import SessionError
 from cotouch.members import Pair
-from cotouch.observers import FARTHEST, ChooseLinks, Cut, HandMode, Impair, MoveHand, Pointer
+from cotouch.observers import FARTHEST, MOST_TURN, ChooseLinks, Cut, HandMode, Impair, MoveHand, Pointer
 
 # What a hand can be told in a word, and how that is said.
 WORDS: dict[HandMode, str] = {
@@ -48,12 +48,7 @@ def check_hand(command: MoveHand, body: Body, *, cuts: bool) -> None:
         SessionError: there is not.
     """
     if command.mode == "pose":
-        tools = [part.tool for part in body.tools if part.tool is not None]
-        led = sum(tool.owner == command.slot and bool(tool.grips) for tool in tools)
-        if not led:
-            raise SessionError("this user has no rigid tool with a hand; the session's file says who has one")
-        if command.node >= led:
-            raise SessionError(f"node is {command.node}; with pose it must be from 0 to {led - 1}, or -1 for the first")
+        _check_tool(command.node, body, command.slot)
         return
     if command.node >= body.holds:
         raise SessionError(f"node is {command.node}; it must be from 0 to {body.holds - 1}, or -1 for what is held")
@@ -63,6 +58,15 @@ def check_hand(command: MoveHand, body: Body, *, cuts: bool) -> None:
         _check_cuttable(body, cuts)
 
 
+def _check_tool(node: int, body: Body, slot: int) -> None:
+    tools = [part.tool for part in body.tools if part.tool is not None]
+    led = sum(tool.owner == slot and bool(tool.grips) for tool in tools)
+    if not led:
+        raise SessionError("this user has no rigid tool with a hand; the session's file says who has one")
+    if node >= led:
+        raise SessionError(f"node is {node}; with pose it must be from 0 to {led - 1}, or -1 for the first")
+
+
 def _check_cuttable(body: Body, cuts: bool) -> None:
     if not body.cut_count:
         raise SessionError("a blade cuts nothing here, because the session's file has no [cutting]; add that table")
@@ -70,28 +74,35 @@ def _check_cuttable(body: Body, cuts: bool) -> None:
         raise SessionError("this user may not cut; cutting.users of the session's file says who may")
 
 
-def checked(pointer: Pointer, body: Body, *, cuts: bool) -> Pointer:
+def checked(pointer: Pointer, body: Body, slot: int, *, cuts: bool) -> Pointer:
     """A pointer that a copy may be handed.
 
     Args:
         pointer: where the hand is to be.
         body: the shared body.
+        slot: of its user.
         cuts: whether its user may cut.
 
     Raises:
         SessionError: mode or node are none of a pointer's, or a number is not finite.
     """
-    if pointer.mode not in {"grab", "ball", "blade", "free"}:
-        raise SessionError(f'the pointer\'s mode is "{pointer.mode}"; it must be grab, ball, blade or free')
+    if pointer.mode not in {"grab", "ball", "blade", "pose", "free"}:
+        raise SessionError(f'the pointer\'s mode is "{pointer.mode}"; it must be grab, ball, blade, pose or free')
+    if pointer.mode == "pose":
+        _check_tool(pointer.node, body, slot)
     if pointer.mode in {"ball", "blade"} and body.tools:
         raise SessionError(f"there is no {pointer.mode} beside rigid tools; grab the body, or lead a tool by pose")
     if pointer.mode == "blade":
         _check_cuttable(body, cuts)
     if pointer.mode == "grab" and not 0 <= pointer.node < body.holds:
         raise SessionError(f"the pointer's node is {pointer.node}; it must be from 0 to {body.holds - 1}")
-    for name, place in (("target", pointer.target), ("edge", pointer.edge)):
-        if not all(abs(x) <= FARTHEST for x in place):
-            raise SessionError(f"the pointer's {name} is {place}; it must be 3 numbers, each at most {FARTHEST:g} m")
+    for name, given, most, unit in (
+        ("target", pointer.target, FARTHEST, "m"),
+        ("edge", pointer.edge, FARTHEST, "m"),
+        ("turn", pointer.turn, MOST_TURN, "rad"),
+    ):
+        if not all(abs(x) <= most for x in given):
+            raise SessionError(f"the pointer's {name} is {given}; it must be 3 numbers, each at most {most:g} {unit}")
     for name, value in (("radius", pointer.radius), ("stiffness", pointer.stiffness)):
         if not 0.0 <= value < math.inf:
             raise SessionError(f"the pointer's {name} is {value}; it must be a number of at least 0")

@@ -115,7 +115,7 @@ class SteeredMembers(ABC):
         """
         name = self._name_of(slot)
         self._acts()
-        self._commands.point(name, _requests.checked(pointer, self._body, cuts=self._may_cut(slot)))
+        self._commands.point(name, _requests.checked(pointer, self._body, slot, cuts=self._may_cut(slot)))
 
     def do(self, command: Command) -> str:
         """See `SessionApi.do`; waits for the loop where it has to do it.

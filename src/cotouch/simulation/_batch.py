@@ -132,7 +132,9 @@ def run_batch(prepared: Prepared) -> Outcome:
     may = () if asked is None else [asked.may(user + 1) for user in range(users)]
     cutting = cutting_of(ready, tools=0 if touching is None else touching.kind.size, decides=may)
     more += 0 if cutting is None else len(CUT_BOOKS)
-    tools = None if touching is None else tool_record(touching.kind.size, records)
+    leading = deepcopy(prepared.leading)
+    moved = touching if leading is None else leading.touching
+    tools = None if moved is None else tool_record(moved.kind.size, records)
     wanted = prepared.scenario.record.frames
     moments = np.zeros(0) if wanted is None else np.arange(0.0, prepared.scenario.steps.duration, 1.0 / wanted)
     frames = Frames(moments, np.zeros((moments.size, users, rows, width)), np.zeros(1, dtype=np.int32))
@@ -193,6 +195,7 @@ def run_batch(prepared: Prepared) -> Outcome:
         touching,
         None if touching is None else touching.contact,
         cutting,
+        leading,
         tools,
         frames,
         ends,

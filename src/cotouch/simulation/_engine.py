@@ -45,10 +45,13 @@ from cotouch.mechanics import (
 )
 from cotouch.scenario import (
     Hands,
+    Leading,
     ToolRecord,
     Touching,
     after_step,
     before_step,
+    begin_lead,
+    end_lead,
     grip,
     keep_tools,
     proxy_energy,
@@ -82,6 +85,7 @@ def run(
     touching: Touching | None,
     contact: Contact | None,
     cutting: Cutting | None,
+    leading: Leading | None,
     tool_record: ToolRecord | None,
     frames: Frames,
     ends: Ends | None,
@@ -91,9 +95,9 @@ def run(
 ) -> int:
     """Runs all events; returns how many were run before the motion left the range of floating point.
 
-    Without tools `touching`, `contact` and `tool_record` are None. Of a linear body
-    `force` is None, and so are `ends` where all links are springs: what concerns them is not even compiled. What a
-    law's link holds is its own: then what links did counts as delay work.
+    Without tools `touching` and `contact` are None, without devices of rigid tools `leading`, without both
+    `tool_record`. Of a linear body `force` is None, and so are `ends` where all links are springs: what concerns them
+    is not even compiled. What a law's link holds is its own: then what links did counts as delay work.
 
     Args:
         op: the body's operator; of a body with a material at rest.
@@ -110,6 +114,7 @@ def run(
         touching: tools of all users; changed in place.
         contact: the law by which tools touch.
         cutting: of a body that can be cut; None: it cannot.
+        leading: devices of rigid tools of all users; changed in place.
         tool_record: written to.
         frames: shapes that are kept for an animation; written to.
         ends: of all links under a law; changed in place.
@@ -138,6 +143,8 @@ def run(
         keep_user(record, hands, fields, scratch, topology, i, 0, lanes)
         if touching is not None:
             keep_tools(tool_record, touching, i, 0)
+        if leading is not None:
+            keep_tools(tool_record, leading.touching, i, 0)
     if ends is None:
         initial += spring_energies(op, topology, fields, record, scratch, 0, lanes)
     put(record.ticks, (0, 0), initial)
@@ -163,6 +170,9 @@ def run(
             put(scratch.slot, s, users * timing.ring + peer if index < 0 else kept)
         for p in range(p0, p1):
             grip(hands, scratch.ports, scratch.cursor, p, end, T, lanes)
+        if leading is not None and not begin_lead(leading, scratch.ports, fields.position[i], i, end, T):
+            record.lowest[0] = lowest
+            return event
         if ends is not None and not ask(ends, topology, timing, scratch.slot, i, k, T):
             record.lowest[0] = lowest
             record.refused[0] = i + 1
@@ -248,6 +258,8 @@ def run(
                 cap,
                 lanes,
             )
+        if leading is not None:
+            end_lead(leading, scratch.ports, state.position, i)
         if cutting is not None:
             if touching is None:
                 decide_cuts(cutting, state.memory, state.position, None, i + 1, True)
@@ -295,6 +307,8 @@ def run(
             keep_user(record, hands, fields, scratch, topology, i, (k + 1) // record.every, lanes)
             if touching is not None:
                 keep_tools(tool_record, touching, i, (k + 1) // record.every)
+            if leading is not None:
+                keep_tools(tool_record, leading.touching, i, (k + 1) // record.every)
             if i == timing.reference:
                 tick = (k + 1) // record.every
                 energy = 0.0

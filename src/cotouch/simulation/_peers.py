@@ -27,7 +27,15 @@ from cotouch.peer import (
     Sample,
     StepReport,
 )
-from cotouch.scenario import Touching, after_step_alone, before_step_alone, grip, tools_of
+from cotouch.scenario import (
+    Touching,
+    after_step_alone,
+    before_step_alone,
+    begin_lead_alone,
+    end_lead_alone,
+    grip,
+    tools_of,
+)
 from cotouch.simulation._coding import age_budget
 from cotouch.simulation._prepare import Prepared
 
@@ -80,6 +88,7 @@ class _World:
         self.queue: list[tuple[float, int, int, Sample | Packet]] = []  # arrival, number, receiver, sample
         self.sent = 0
         self.touching: Touching | None = deepcopy(prepared.touching)
+        self.leading = deepcopy(prepared.leading)
         self.cursor = prepared.hands.path_first[:-1].copy()
         hands = prepared.hands
         self.ports = idle_ports(hands.row, hands.shape, prepared.model.width)
@@ -248,7 +257,11 @@ class _World:
             grip(hands, self.ports, self.cursor, p, now, T, peer.model.lanes)
         if self.touching is not None:
             before_step_alone(self.touching, i, now, T)
+        if self.leading is not None:
+            begin_lead_alone(self.leading, self.ports, peer.state.position, i, now, T)
         report = peer.step(now, T)
+        if self.leading is not None:
+            end_lead_alone(self.leading, self.ports, peer.state.position, i)
         if self.touching is not None:
             after_step_alone(self.touching, i)
             assert peer.tools is not None

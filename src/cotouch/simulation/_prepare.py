@@ -16,9 +16,11 @@ from cotouch.network import damping_for
 from cotouch.scenario import (
     Hands,
     HandTable,
+    Leading,
     RigidTool,
     Scenario,
     Touching,
+    leading_of,
     per_user,
     ports_of,
     sentence,
@@ -58,6 +60,8 @@ class Prepared:
         touching: the tools as they start; an engine works on a copy. None without tools.
         tool: which of those tools is each of the scenario's proxies.
         rigid_tools: those that are rigid bodies; the ports of `hands` hold them, too.
+        leading: devices that lead these, as they start; an engine works on a copy. None without.
+        led: its row of each of `rigid_tools`.
         law: of the links; None for springs, which the kernels have built in.
     """
 
@@ -76,6 +80,8 @@ class Prepared:
     touching: Touching | None
     tool: list[int]
     rigid_tools: list[RigidTool]
+    leading: Leading | None
+    led: list[int]
     law: LawSetup | None = None
 
 
@@ -119,7 +125,8 @@ def prepare(scenario: Scenario) -> Prepared:
     hands, ports = ports_of(scenario.hands, network.size, body, ready)
     rigid_tools: list[RigidTool] = []
     if scenario.rigid_tools:
-        hands, ports, rigid_tools = with_tools(hands, ports, scenario.rigid_tools, ready)
+        hands, ports, rigid_tools = with_tools(hands, ports, scenario.rigid_tools, ready, devices=True)
+    leading, led = leading_of(scenario.rigid_tools, rigid_tools, ready, timing.length)
     position = _initial(scenario.initial.position, "position", network.size, body)
     scenario.world.refuse_overlap(ready, position)
     scenario.refuse_cutters()
@@ -150,6 +157,8 @@ def prepare(scenario: Scenario) -> Prepared:
         touching=touching,
         tool=tool,
         rigid_tools=rigid_tools,
+        leading=leading,
+        led=led,
         law=law_setup(scenario, ready, timing, topology.weight, position),
     )
 

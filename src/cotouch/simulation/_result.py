@@ -20,7 +20,7 @@ from cotouch.simulation._prepare import Prepared, prepare
 from cotouch.simulation._rigid_tool_result import UNITS as RIGID_TOOL_UNITS
 from cotouch.simulation._rigid_tool_result import masses_of, rigid_tool_variables
 from cotouch.simulation._schedule import Schedule
-from cotouch.simulation._tool_result import LEAST_ENERGY, tool_attributes, tool_variables
+from cotouch.simulation._tool_result import LEAST_ENERGY, leading_variables, tool_attributes, tool_variables
 from cotouch.simulation._tool_result import UNITS as TOOL_UNITS
 
 if TYPE_CHECKING:
@@ -151,7 +151,7 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
             with np.errstate(invalid="ignore"):  # what was not reached was never written
                 shaped = shaped + body.held_rest[prepared.nodes] if np.any(body.rest) else shaped
         put(name, ("user", "step", "node", "axis"), shaped, everyone)
-    ledger = USER_LEDGER if outcome.tools is None else USER_LEDGER + TOOL_LEDGER
+    ledger = USER_LEDGER if prepared.touching is None else USER_LEDGER + TOOL_LEDGER
     ledger = ledger if prepared.model.force is None else ledger + CLOSED_BOOKS
     if prepared.model.force is not None and prepared.model.force.world is not None:
         own = record.users[len(ledger) :]
@@ -189,6 +189,9 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
     rigid = rigid_tool_variables(prepared, record, period)
     movers = np.array([tool.user for tool in prepared.rigid_tools], dtype=np.int64)
     for name, (dims, values) in rigid.items():
+        put(name, dims, values, movers)
+    leading = leading_variables(prepared, outcome)
+    for name, (dims, values) in leading.items():
         put(name, dims, values, movers)
     for index, owner in enumerate(movers):
         force[owner] += rigid["rigid_force"][1][index]
@@ -241,7 +244,7 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
             **({"rigid_tool_user": ("rigid_tool", [network.users[i] for i in movers])} if movers.size else {}),
             **({"frame": outcome.frame_time} if outcome.frame_time.size else {}),
         },
-        attrs={**_attributes(prepared, outcome, ticks), **tool_attributes(tools)},
+        attrs={**_attributes(prepared, outcome, ticks), **tool_attributes(tools | leading)},
     ).set_coords(["time", "tick_time"])
 
 

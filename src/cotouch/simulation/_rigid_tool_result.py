@@ -86,8 +86,8 @@ def _told(tool: RigidTool, record: Record, period: Float, first: int) -> dict[st
     centre = np.einsum("k,rka->ra", share, middle)
     force, torque = np.zeros_like(handle), np.zeros_like(handle)
     for port, held in zip(tool.ports, tool.shares, strict=True):
-        about = np.einsum("k,rka->ra", held, middle) - centre
-        force += record.force[port, :, :3]
+        about = np.einsum("k,rka->ra", held, middle) - held.sum() * centre
+        force += held.sum() * record.force[port, :, :3]  # what holds a way from the handle only turns
         torque += np.cross(about, record.force[port, :, :3])
     met, met_torque = np.full_like(handle, np.nan), np.full_like(handle, np.nan)
     if record.every == 1:

@@ -3,9 +3,11 @@
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.device import DEVICE_LEDGER, excess_bound
+from cotouch.scenario import ToolRecord, Touching
 from cotouch.simulation._batch import Outcome
 from cotouch.simulation._prepare import Prepared
 
@@ -54,14 +56,43 @@ def tool_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tupl
     if record is None or touching is None:
         return {}
     order = np.array(prepared.tool)
+    data: dict[str, tuple[tuple[str, ...], Float]] = {}
+
+    def put(name: str, values: Float) -> None:
+        data[name] = (("tool", "step", "axis")[: values.ndim], values[order])
+
+    put("tool_position", record.place[..., :3])
+    put("tool_velocity", record.rate[..., :3])
+    put("touch_force", record.force[..., :3])
+    put("drive_force", record.drive[..., :3])
+    put("touching", record.touching)
+    return data | _device_variables(touching, record, order, "tool")
+
+
+def leading_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tuple[str, ...], Float]]:
+    """Variables of the devices that lead rigid tools, in the order of these; likewise.
+
+    Args:
+        prepared: what was run.
+        outcome: what it recorded.
+    """
+    record, leading = outcome.tools, prepared.leading
+    if record is None or leading is None:
+        return {}
+    return _device_variables(leading.touching, record, np.array(prepared.led), "rigid_tool")
+
+
+def _device_variables(
+    touching: Touching, record: ToolRecord, order: npt.NDArray[np.int_], dimension: str
+) -> dict[str, tuple[tuple[str, ...], Float]]:
+    """What devices and couplings did; empty where there are none."""
     held = touching.couplings.device[order] >= 0
     data: dict[str, tuple[tuple[str, ...], Float]] = {}
 
-    def put(name: str, values: Float, *, device: bool = False) -> None:
+    def put(name: str, values: Float) -> None:
         values = values[order]
-        if device:
-            values = np.where(held.reshape(-1, *(1,) * (values.ndim - 1)), values, np.nan)
-        data[name] = (("tool", "step", "axis")[: values.ndim], values)
+        values = np.where(held.reshape(-1, *(1,) * (values.ndim - 1)), values, np.nan)
+        data[name] = ((dimension, "step", "axis")[: values.ndim], values)
 
     def bound(tool: int) -> float:
         fastest, longest = (float(ledger[name][tool].max()) for name in ("fastest", "longest"))
@@ -77,26 +108,21 @@ def tool_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tupl
             unpaid=unpaid,
         )
 
-    put("tool_position", record.place[..., :3])
-    put("tool_velocity", record.rate[..., :3])
-    put("touch_force", record.force[..., :3])
-    put("drive_force", record.drive[..., :3])
-    put("touching", record.touching)
     if not held.any():
         return data
     ledger = {name: record.device_ledger[index] for index, name in enumerate(DEVICE_LEDGER)}
-    put("device_position", record.device_place[..., :3], device=True)
-    put("device_force", record.device_force[..., :3], device=True)
-    put("device_work", ledger["work"], device=True)
-    put("human_work", ledger["human"], device=True)
-    put("device_loss", np.sum([ledger[name] for name in _LOSSES], axis=0), device=True)
-    put("device_energy", np.sum([ledger[name] for name in _ENERGIES], axis=0), device=True)
-    put("device_residual", ledger["residual"], device=True)
-    put("coupling_work", record.coupling[0], device=True)
-    put("coupling_energy", ledger["tank"] + record.coupling[3], device=True)
-    put("coupling_excess", record.coupling[1], device=True)
+    put("device_position", record.device_place[..., :3])
+    put("device_force", record.device_force[..., :3])
+    put("device_work", ledger["work"])
+    put("human_work", ledger["human"])
+    put("device_loss", np.sum([ledger[name] for name in _LOSSES], axis=0))
+    put("device_energy", np.sum([ledger[name] for name in _ENERGIES], axis=0))
+    put("device_residual", ledger["residual"])
+    put("coupling_work", record.coupling[0])
+    put("coupling_energy", ledger["tank"] + record.coupling[3])
+    put("coupling_excess", record.coupling[1])
     limits = [bound(int(tool)) if touching.couplings.device[tool] >= 0 else np.nan for tool in range(order.size)]
-    put("coupling_bound", np.array(limits), device=True)
+    put("coupling_bound", np.array(limits))
     return data
 
 

@@ -4,6 +4,7 @@ from collections import deque
 from dataclasses import replace
 from typing import Final, final
 
+from cotouch.errors import SessionError
 from cotouch.observers import CopyView, Pointer, SessionApi
 from cotouch.web._page import Page
 from cotouch.web._protocol import PointerMessage
@@ -18,15 +19,18 @@ class Control:
     The stage is told numbers that rise over all pages; what a page gets back are its own.
     """
 
-    def __init__(self, api: SessionApi, nodes: list[int], beside: list[list[float]]) -> None:
+    def __init__(
+        self, api: SessionApi, nodes: list[int], beside: list[list[float]], tools: list[tuple[int, int, int, int]]
+    ) -> None:
         """Begins with nobody in control.
 
         Args:
             api: that is told.
             nodes: which node each drawn point hangs on most.
             beside: from that node to the point, at rest [m].
+            tools: that can be held, see `held_tools`.
         """
-        self._api, self._nodes, self._beside = api, nodes, beside
+        self._api, self._nodes, self._beside, self._tools = api, nodes, beside, tools
         self._own = frozenset(api.scene.own)
         self._holders: dict[int, Page] = {}
         self._waiting: dict[int, list[Page]] = {}
@@ -111,6 +115,15 @@ class Control:
             node = self._nodes[message.point]
             x, y, z = (a - b for a, b in zip(target, self._beside[message.point], strict=True))
             target = (x, y, z)
+        elif message.mode == "pose":
+            own = [
+                number for first, last, whose, number in self._tools if first <= message.point < last and whose == slot
+            ]
+            if not own:
+                raise SessionError(
+                    f"the pointer's point is {message.point}, which is of no tool that this user can hold"
+                )
+            node = own[0]
         pointer = Pointer(
             number=self._number + 1,
             mode=message.mode,
@@ -119,6 +132,7 @@ class Control:
             radius=message.radius,
             stiffness=message.stiffness,
             edge=message.edge,
+            turn=message.turn,
         )
         self._api.point(slot, pointer)
         self._number += 1

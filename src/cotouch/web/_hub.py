@@ -17,7 +17,7 @@ from cotouch.web._control import Control
 from cotouch.web._frames import FrameEncoder
 from cotouch.web._page import Page
 from cotouch.web._protocol import VERSION, Do, FrameReceipt, Hello, PointerMessage
-from cotouch.web._scene import beside_nodes, nodes_of_points, scene_message, state_message
+from cotouch.web._scene import beside_nodes, held_tools, nodes_of_points, scene_message, state_message
 
 # Pages with the token, without it, and that have not said yet what they are: each kind has places of its own, so that
 # whoever may only watch keeps nobody out who may act.
@@ -66,7 +66,8 @@ class Hub:
         self.frames = 0
         self._clock, self._start = clock, clock()
         self._encoder = FrameEncoder(self.scene.body)
-        self._control = Control(api, nodes_of_points(self.scene.body).tolist(), beside_nodes(self.scene.body).tolist())
+        body = self.scene.body
+        self._control = Control(api, nodes_of_points(body).tolist(), beside_nodes(body).tolist(), held_tools(body))
         self._period = 1.0 / (_RATE if self._encoder.points <= _BIG else _RATE_OF_BIG)
         self._pages: list[Page] = []
         self._scenes: dict[bool, str] = {}

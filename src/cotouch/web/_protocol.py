@@ -19,14 +19,14 @@ HEADER: Final = struct.Struct("<BBHIdIfII")
 # edge (3)
 COPY: Final = struct.Struct("<BBBBf3f3f3ffffffi3f")
 DIRECT, HAS_HAND = 1, 2
-# kind, slot, action, 0, number, point, target (3), radius, stiffness, client's time [ms], edge (3)
+# kind, slot, action, 0, number, point, target (3), radius, stiffness, client's time [ms], edge or turn (3)
 _POINTER: Final = struct.Struct("<BBBBII3fffd3f")
 # kind, 0, number, until the next frame is to be made, between two pictures [ms]
 _ACK: Final = struct.Struct("<B3xIff")
 _FRAME_KIND, _POINTER_KIND, _ACK_KIND = 1, 2, 3
-_ACTIONS: Final[tuple[HandMode, ...]] = ("ball", "grab", "free", "blade")
-# No body is so far away, no ball so big [m] and no hand so stiff [N/m].
-_FAR, _STIFF = 1e4, 1e5
+_ACTIONS: Final[tuple[HandMode, ...]] = ("ball", "grab", "free", "blade", "pose")
+# No body is so far away, no ball so big [m], no hand so stiff [N/m], and none turns so far [rad].
+_FAR, _STIFF, _TURNED = 1e4, 1e5, 4.0
 # No screen shows pictures faster, and none that counts slower [ms].
 _FASTEST, _SLOWEST = 1.0, 1e3
 MOST_BYTES: Final = 16_384  # of a message from a page: every pair of 32 users, written out, fits
@@ -40,7 +40,7 @@ class PointerMessage:
 
     Attributes:
         slot: that it acts for.
-        mode: "ball", "grab", "free" or "blade".
+        mode: "ball", "grab", "free", "blade" or "pose".
         number: the page's own, rising.
         point: index of the drawn point.
         target: [m].
@@ -48,9 +48,10 @@ class PointerMessage:
         stiffness: of the hand [N/m]; 0: as it was.
         sent: by the page's clock [ms].
         edge: of the blade, from the target to the other end [m].
+        turn: of a rigid tool from its start: along the axis of turning, as long as the angle [rad].
     """
 
-    __slots__ = ("edge", "mode", "number", "point", "radius", "sent", "slot", "stiffness", "target")
+    __slots__ = ("edge", "mode", "number", "point", "radius", "sent", "slot", "stiffness", "target", "turn")
 
     def __init__(self, message: bytes) -> None:
         """Reads one.
@@ -59,23 +60,32 @@ class PointerMessage:
             PageError: it is none.
         """
         parts: tuple[Any, ...] = _POINTER.unpack(message)
-        _, slot, action, zero, number, point, x, y, z, radius, stiffness, sent, *edge = parts
+        _, slot, action, zero, number, point, x, y, z, radius, stiffness, sent, *last = parts
         if action >= len(_ACTIONS) or zero:
-            raise PageError(f"the pointer's action is {action}; it must be 0 to 3, and the byte after it 0")
-        for name, place in (("target", (x, y, z)), ("edge", edge)):
-            if not all(abs(one) <= _FAR for one in place):
-                raise PageError(f"the pointer's {name} is {', '.join(map(str, place))}; it must be within {_FAR:.0f} m")
+            raise PageError(f"the pointer's action is {action}; it must be 0 to 4, and the byte after it 0")
+        mode = _ACTIONS[int(action)]
+        turns = mode == "pose"
+        for name, given, most, unit in (
+            ("target", (x, y, z), _FAR, "m"),
+            ("turn" if turns else "edge", last, *((_TURNED, "rad") if turns else (_FAR, "m"))),
+        ):
+            if not all(abs(one) <= most for one in given):
+                raise PageError(
+                    f"the pointer's {name} is {', '.join(map(str, given))}; it must be within {most:.0f} {unit}"
+                )
         if not (0.0 <= radius <= _FAR and 0.0 <= stiffness <= _STIFF and math.isfinite(sent)):
             raise PageError(f"the pointer's radius or stiffness is {radius} or {stiffness}, or its time {sent}")
         self.slot: int = slot
         self.number: int = number
         self.point: int = point
-        self.mode: HandMode = _ACTIONS[action]
+        self.mode: HandMode = mode
         self.target: tuple[float, float, float] = (x, y, z)
         self.radius: float = radius
         self.stiffness: float = stiffness
         self.sent: float = sent
-        self.edge: tuple[float, float, float] = (edge[0], edge[1], edge[2])
+        vector, none = (last[0], last[1], last[2]), (0.0, 0.0, 0.0)
+        self.edge: tuple[float, float, float] = none if turns else vector
+        self.turn: tuple[float, float, float] = vector if turns else none
 
 
 class FrameReceipt(NamedTuple):

@@ -87,6 +87,18 @@ def _no_tools(body: Body, nodes: npt.NDArray[np.integer]) -> npt.NDArray[np.inte
     return nodes
 
 
+def held_tools(body: Body) -> list[tuple[int, int, int, int]]:
+    """First and one past the last of the drawn points of each tool that can be held, its user, and its number."""
+    found: list[tuple[int, int, int, int]] = []
+    first = 0
+    for part in drawn_parts(body, (), cut_skin(body) if body.cut_count else None) if body.tools else ():
+        last = first + part["vertices"]
+        if "tool" in part:
+            found.append((first, last, part["tool"]["slot"], part["tool"]["number"]))
+        first = last
+    return found
+
+
 def beside_nodes(body: Body) -> Float:
     """From each drawn point's node to the point, at rest, (points, 3) [m]."""
     skin = drawn_skin(body)
