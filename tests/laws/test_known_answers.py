@@ -25,10 +25,13 @@ from cotouch.laws._paid_fields import (
     M_AGE,
     M_B,
     M_K,
+    NEWEST,
     PAST,
     TIME,
     TIMES,
     A,
+    V,
+    X,
 )
 from cotouch.laws._paid_heard import between, place_then
 from cotouch.laws._paid_other import past, take_over
@@ -329,6 +332,13 @@ def test_to_paid_a_hand_whose_aim_moves_is_one_hand() -> None:
     assert np.all(ends.shared_scalars[:, names.index("epoch")] < 60.0)
 
 
+def test_paid_believes_its_guesses_of_hands_as_far_as_they_came_true() -> None:
+    """Over a long way, the own hand tells more than a guess where two move an object together, and less in a tug."""
+    assert cost("paid", "both", delay=0.2) < 2.5  # 4.4, when all was believed
+    assert cost("paid", "both", delay=0.1, graph="star", users=[4]) < 2.0  # 2.9
+    assert cost("paid", "tug", delay=0.1) < 4.5
+
+
 def test_to_paid_a_hand_is_where_it_holds() -> None:
     """On a chain, too: hands hold its ends."""
     body: dict[str, Any] = {"kind": "chain", "nodes": 5, "mass": 0.2, "stiffness": 400.0, "damping": 1.0}
@@ -504,8 +514,12 @@ def test_paid_knows_where_what_swings_was_between_what_it_kept() -> None:
     shared = np.zeros((PAST + 2 * KEPT, 1))
     shared[PAST : PAST + KEPT, 0], shared[PAST + KEPT :, 0] = np.sin(omega * times), omega * np.cos(omega * times)
     numbers = np.zeros(TIMES + KEPT)
-    numbers[COUNT], numbers[TIME], numbers[TIMES:] = KEPT, times[-1], times
-    end: Any = SimpleNamespace(T=0.0, shared=shared, shared_scalars=numbers)
+    numbers[COUNT], numbers[TIME], numbers[TIMES:] = KEPT, times[-1] + 0.5 * EVERY, times
+    numbers[NEWEST], shared[X], shared[V] = times[-1], shared[PAST + KEPT - 1], shared[PAST + 2 * KEPT - 1]
+    end: Any = SimpleNamespace(T=1.1 * EVERY, shared=shared, shared_scalars=numbers)
+    for late in (0.0, 1e-4, EVERY):  # after the newest it goes on straight, whatever the length of the coming step
+        x, v = place_then.py_func(end, between.py_func(*past.py_func(end, times[-1] + late)), 0)  # pyright: ignore[reportFunctionMemberAccess]
+        assert (x, v) == pytest.approx((shared[X, 0] + late * shared[V, 0], shared[V, 0]))
     for when in (times[0] + 0.0017 * step for step in range(295)):
         x, v = place_then.py_func(end, between.py_func(*past.py_func(end, when)), 0)  # pyright: ignore[reportFunctionMemberAccess]
         assert x == pytest.approx(np.sin(omega * when), abs=0.005)

@@ -101,6 +101,24 @@ def test_who_begins_together_needs_no_allowance() -> None:
     assert made(world) < 2.5e-3
 
 
+@pytest.mark.parametrize("rate", [50, 100])
+def test_all_comes_to_rest_between_stiff_hands_at_low_rates(rate: int) -> None:
+    """Nobody holds Cleo's copy; the springs of the two other hands move it, once a step."""
+    hands = "".join(HAND.format(user=user, path=f"[[0, 0], [3, {place}]]") for user, place in ((1, 0.05), (2, 0.02)))
+    words = text(users=3, hands=hands.replace("300.0", "1800.0")).replace("rate = 200", f"rate = {rate}")
+    world = World(words, law=PathLaw(delay=0.02, jitter=0.01, loss=0.05), tick=2e-3)
+    ann, ben, cleo = (world.join(name, moves=name != "Cleo") for name in ("Ann", "Ben", "Cleo"))
+    watched(world, 6.0)
+    fastest = 0.0
+    for _ in range(10):
+        watched(world, 0.05)
+        fastest = max(fastest, *(float(np.abs(one.copy.peer.state.velocity).max()) for one in (ann, ben, cleo)))
+    assert (
+        fastest < 0.03
+    )  # m/s; 0.1 at 50 and 0.8 at 100 steps a second, where the springs were taken at a step's start
+    assert world.apart() < 1e-3
+
+
 def test_clocks_may_differ() -> None:
     """Whatever the members' clocks show: ages come from echoes, and only differences of them count."""
     apart: dict[float, float] = {}

@@ -26,7 +26,6 @@ def hand(user: int, path: list[list[float]]) -> str:
 
 
 THREE = "[session]\nusers = 3\nspring = 60.0" + BODY + hand(1, [[0, 0], [1, 0.05]])
-FINE = THREE.replace("rate = 100", "rate = 250")  # where copies must stay together
 SPRINGS = '[synchronisation]\nlaw = "spring"\n'  # where a test is of budgets and guards
 
 
@@ -35,8 +34,8 @@ def coarse(text: str, **options) -> World:
     return World(text, tick=2e-3, **options)
 
 
-def three(law: str = "", text: str = THREE) -> World:
-    world = coarse(text + law)
+def three(law: str = "") -> World:
+    world = coarse(THREE + law)
     for name in ("Ann", "Ben", "Cleo"):
         world.join(name, moves=name == "Ann")
     world.until(world.all_coupled, 12.0)
@@ -44,7 +43,7 @@ def three(law: str = "", text: str = THREE) -> World:
 
 
 def test_three_meet_couple_and_follow_one_hand() -> None:
-    world = three(text=FINE)
+    world = three()
     world.run(6.0)
     assert world.apart() < 1e-3
     assert abs(world.people[2].position[0, 0] - 0.05) < 5e-3
@@ -99,7 +98,7 @@ def test_hands_of_the_file_wait_for_nobody_for_ever() -> None:
 
 
 def test_one_joins_while_the_others_hold_the_object_without_a_jerk() -> None:
-    world = coarse(FINE)
+    world = coarse(THREE)
     ann, ben = world.join("Ann"), world.join("Ben", moves=False)
     world.until(world.all_coupled, 12.0)
     world.run(4.0)
@@ -111,7 +110,7 @@ def test_one_joins_while_the_others_hold_the_object_without_a_jerk() -> None:
         for person in (ann, ben):
             fastest = max(fastest, float(np.abs(person.copy.peer.state.velocity).max()))
     world.until(world.all_coupled, 12.0)
-    assert fastest < 0.02
+    assert fastest < 0.05  # what Cleo brings with her; it was 0.11 to 0.6, for good, where steps were long beside ages
     assert np.abs(cleo.position - before).max() < 5e-3
     assert ann.copy.peer.model is not None
     assert {p.copy.copies for p in world.people} == {3}
@@ -120,7 +119,7 @@ def test_one_joins_while_the_others_hold_the_object_without_a_jerk() -> None:
 
 @pytest.mark.parametrize("how", ["leave", "kill"])
 def test_one_goes_and_the_others_go_on(how: str) -> None:
-    world = three(text=FINE)
+    world = three()
     world.run(2.0)
     ben = world.people[1]
     getattr(world, how)(ben)
@@ -133,7 +132,7 @@ def test_one_goes_and_the_others_go_on(how: str) -> None:
 
 
 def test_who_crashed_comes_back_under_its_name() -> None:
-    world = three(text=FINE)
+    world = three()
     cleo = world.people[2]
     slot = cleo.member.slot
     world.kill(cleo)

@@ -6,6 +6,9 @@ place whose integrals travel. In a tree a copy tells each neighbour of the hands
 springs, dampers and what is left of forces add up. Samples of the copies draw what is left of their differences
 together, compared with where this copy was at the same time, so common motion has no drag.
 
+What was guessed of a hand is compared with what it did, once that is heard: while the own hand holds, a copy wishes for
+what hands do beyond it only as far as guesses came true.
+
 The wish is paid from an account H. For every v̂, `T v̂ᵀ(wish + b*v - b*v̂) ≤ T‖wish + b*v‖²/(4b*) = H` by choice of b*:
 whatever body, hand or contact do, H stays above zero, and all copies together make no more than their seeds. A weak
 wave line, passive by itself, lies beside it, or copies whose accounts are dry could stay apart for ever.
@@ -78,6 +81,7 @@ from cotouch.laws._paid_fields import (
     V,
     X,
 )
+from cotouch.laws._paid_guess import believed, check_guess
 from cotouch.laws._paid_hand import book_copy
 from cotouch.laws._paid_heard import Heard, Then, add_wish, between, bring_hand, place_then, wish
 from cotouch.laws._paid_other import bring, credible, past, take_over, tell
@@ -136,7 +140,9 @@ def _before(end: End) -> None:
         stale = 3.0 * mean + 0.05
         trust = min(max((1.6 - end.age / stale) / 0.6, 0.0), 1.0)
         theirs = max(told[M_T], 0.0)  # length of the neighbour's steps, unless it lies
-        ahead = max(end.age - 0.25 * kept[AGE] - 0.5 * theirs, 0.0)
+        # Forces act in the middle of the step, where the copy is taken to be.
+        early = 0.25 * kept[AGE] - 0.5 * T
+        ahead = max(end.age - early - 0.5 * theirs, 0.0)
         numbers[LONGEST] = max(numbers[LONGEST], mean)
         fresh = kept[KNOWN] != told[M_EPOCH]
         kept[KNOWN] = told[M_EPOCH]
@@ -144,7 +150,7 @@ def _before(end: End) -> None:
         before, after, share, gap = past(end, when)
         then = between(before, after, share, gap)
         # A is of this time after the start of the step. Where that changes, A must, or T and age would seem forces.
-        horizon = T - 0.25 * kept[AGE]
+        horizon = T - early
         shift = 0.0 if fresh else horizon - kept[HORIZON]
         kept[HORIZON] = horizon
         # How fast the hand's force changes, so that it is not held where it was.
@@ -165,6 +171,7 @@ def _before(end: End) -> None:
         kept[PART_GRASPED] = 1.0 if taken else 0.0
         back = told[M_SINCE] + ahead if taken else 0.0
         numbers[BACK] = max(numbers[BACK], back)
+        lag = max(0.005, 0.5 * mean, 2.0 * T)  # shorter than two steps, A would swing
         known = Heard(
             fresh,
             taken,
@@ -175,18 +182,20 @@ def _before(end: End) -> None:
             ahead,
             p[AHEAD],
             shift,
-            max(0.005, 0.5 * mean),
+            lag,
             back,
             told[M_K],
             told[M_B],
             told[M_HANDS],
         )
+        check_guess(end, when, passed, lag, fresh)
         bring_hand(end, known)
         # The same at both ends, or what draws copies together would push on both.
         both = 0.5 * (mean + told[M_AGE]) if told[M_AGE] > 0.0 else mean
         gain = p[MASS] / end.copies
-        force = sqrt(wish(end, then, gain * p[GK] / (both * both), gain * p[GD] / both, trust))
-        add_wish(end, left / force if force > left else 1.0, trust)
+        part = believed(end)
+        force = sqrt(wish(end, then, gain * p[GK] / (both * both), gain * p[GD] / both, trust, part))
+        add_wish(end, left / force if force > left else 1.0, trust * part)
         if p[RELAY] > 0.0 and trust > 0.0 and credible(end, told):
             kept[PART_K], kept[PART_B], kept[PART_HANDS] = told[M_K], told[M_B], told[M_HANDS]
             kept[PART_EPOCH] = told[M_EPOCH] + 1.0
@@ -313,16 +322,19 @@ PAID = register(
             *("U_in", "U_out", "s", "A", "A2", "wish", "w before", "slope", "part w", "stretch"),
             *("P", "Q", "hand", "done", "first", "second", "part P", "part Q", "alive"),
             *(f"done{k}" for k in range(LOGGED)),
+            *("guess", "even guess", "even truth", *(f"guess{k}" for k in range(LOGGED))),
         ),
         keeps_scalars=(
             *("E_in", "E_out", "age", "credited", "given", "epoch", "horizon", "stamp", "span"),
             *("part k", "part b", "part epoch", "part hands", "told epoch", "since", "rounds", "part grasped"),
+            *("checked", "right", "guessed", "settled"),
             *(f"evenly {axis}" for axis in range(4)),
         ),
         fractions=(
             *("w", "wish", "f", "x", "v", "x before", "v before"),
             *("x rate", "v rate", "f rate", "all w", "all P", "all Q", "asked", "touch", "told", "way", "acting"),
             *(f"{name}{k}" for name in ("x", "v") for k in range(KEPT)),
+            *(f"force{k}" for k in range(LOGGED)),
         ),
         shares_scalars=(
             *("account", "time", "k", "level", "epoch", "xx", "xv", "vv"),
@@ -338,6 +350,7 @@ PAID = register(
                 "longest",
                 "back",
                 "degree",
+                "newest",
             ),
             *(f"t{k}" for k in range(KEPT)),
         ),

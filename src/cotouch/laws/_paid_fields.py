@@ -7,18 +7,23 @@ PAST, KEPT, EVERY = 18, 128, 0.004
 ACCOUNT, TIME, K, LEVEL, EPOCH, XX, XV, VV, XF, VF = range(10)
 HELD, COUNT, BRAKE, OWN_B, NEW_K, NEW_B, STEADY = range(10, 17)
 ALL_K, ALL_B, ALL_EPOCH, ALL_HANDS = range(17, 21)  # of the hands that all links bring
-AS_ONE, GRASPED, ALL_GRASPED, LONGEST, BACK, DEGREE = range(21, 27)
-TIMES = 27
+AS_ONE, GRASPED, ALL_GRASPED, LONGEST, BACK, DEGREE, NEWEST = range(21, 28)
+TIMES = 28
 
 # Of an end. What is alive is where the neighbour's hand acts or acted; elsewhere all that is kept of it is 0.
 WAVE_IN, WAVE_OUT, WAVE, A, A2, WISHED, W_LAST, SLOPE, PART_W, STRETCH, SUM, SUM2, HAND, DONE = range(14)
 SUM_THERE, SUM2_THERE, PART_P, PART_Q, ALIVE = range(14, 19)
 E_IN, E_OUT, AGE, CREDITED, GIVEN, KNOWN, HORIZON, STAMP, SPAN = range(9)
 PART_K, PART_B, PART_EPOCH, PART_HANDS, TOLD_EPOCH, SINCE, ROUNDS, PART_GRASPED = range(9, 17)
-EVENLY = 17  # and one for each other axis
+CHECKED, RIGHT, GUESSED, SETTLED = range(17, 21)
+EVENLY = 21  # and one for each other axis
 # What was done to the copy by a hand is kept at every so many of the times at which its past is kept.
 LOG, EACH = 19, 4
 LOGGED = KEPT // EACH
+# So is what the neighbour's hand was guessed to do beyond the own one and, of the copy, the own hand's force.
+GUESS, EVEN_GUESS, EVEN_TRUTH = range(LOG + LOGGED, LOG + LOGGED + 3)
+GUESSES = EVEN_TRUTH + 1
+FORCES = PAST + 2 * KEPT
 
 # Of a message.
 M_WAVE, M_P, M_Q, M_W, M_V, M_WAY = range(6)

@@ -21,6 +21,7 @@ from cotouch.laws._paid_fields import (
     LONGEST,
     NEW_B,
     NEW_K,
+    NEWEST,
     OWN_B,
     STEADY,
     STIFFEST,
@@ -49,6 +50,8 @@ from cotouch.mechanics import FOUR, load, size, total
 # A hand is looked at over so long, without what its force and place do evenly over that time, for its own aim moves. It
 # must seem the same for so long to be believed, at first and later [s].
 _LOOK, _FIRST, _HOLD = 0.02, 0.005, 0.02
+# It is looked at over so many steps at least: two numbers are looked for.
+_STEPS = 4.0
 # What touches is evened out over so long [s].
 _EVEN = 0.005
 
@@ -62,7 +65,7 @@ def _other(old_k: float, old_b: float, k: float, damping: float) -> bool:
 def _learn(end: End, i: int, dx: float, dv: float, df: float) -> None:
     """Takes up how a force changed with place and speed, less what all of them do evenly."""
     T, own, numbers = end.T, end.shared, end.shared_scalars
-    part = min(T / _LOOK, 1.0)
+    part = T / max(_LOOK, _STEPS * T)
     mx, mv, mf = own[X_RATE, i], own[V_RATE, i], own[F_RATE, i]
     own[X_RATE, i] += part * (dx / T - mx)
     own[V_RATE, i] += part * (dv / T - mv)
@@ -103,16 +106,16 @@ def book_copy(end: End) -> None:
     T, own, numbers = end.T, end.shared, end.shared_scalars
     entries, touch, hand = end.mean.shape[0], end.touch, end.hand
     numbers[TIME] += T
-    now = numbers[TIME] - 0.5 * T
+    now = numbers[NEWEST] = numbers[TIME] - 0.5 * T
     count = int(numbers[COUNT])
     if count == 0 or now - numbers[TIMES + (count - 1) % KEPT] >= max(EVERY, 1.5 * numbers[LONGEST] / KEPT):
         slot = count % KEPT
         numbers[TIMES + slot] = now
         keep(end, slot)
         numbers[COUNT] += 1.0
-    forget = 1.0 - T / _LOOK
+    forget = 1.0 - T / max(_LOOK, _STEPS * T)
     for name in range(XX, VF + 1):
-        numbers[name] *= max(forget, 0.0)
+        numbers[name] *= forget
     smooth = min(T / _EVEN, 1.0)
     held = touched = strong = 0.0
     acts = _acting(end)

@@ -10,6 +10,7 @@ from cotouch.laws._helper import helper
 from cotouch.laws._paid_fields import (
     A2,
     ALIVE,
+    GUESS,
     HAND,
     KEPT,
     M_P,
@@ -72,7 +73,7 @@ class Then(NamedTuple):
 
 @helper
 def between(before: int, after: int, share: float, gap: float) -> Then:
-    """Between two rows of the past.
+    """Between two rows of the past, or on from the newest as it went.
 
     Args:
         before: row before the time, as `past` says.
@@ -82,7 +83,7 @@ def between(before: int, after: int, share: float, gap: float) -> Then:
     """
     x, v = (X, V) if before < 0 else (PAST + before, PAST + KEPT + before)
     if before == after or gap <= 0.0:
-        return Then(x, v, x, v, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)
+        return Then(x, v, x, v, 0.0, share * gap, 0.0, 0.0, 1.0, 0.0)
     y, u = (X, V) if after < 0 else (PAST + after, PAST + KEPT + after)
     left, fall = 1.0 - share, 3.0 * share * share
     bend, steep = share * left, fall - 2.0 * share
@@ -148,7 +149,7 @@ def _bring_hand(end: End, h: Heard, first: int, last: int, lanes: tuple[int, ...
     T, x, v, own_told, got = end.T, end.position, end.velocity, end.shared[TOLD], end.received
     w_there, p_there, q_there = got[M_W], got[M_P], got[M_Q]
     memory, slopes, w_last, stretch = end.memory, end.memory[SLOPE], end.memory[W_LAST], end.memory[STRETCH]
-    a_row, a2_row, alive, hands = memory[A], memory[A2], memory[ALIVE], memory[HAND]
+    a_row, a2_row, alive, hands, guesses = memory[A], memory[A2], memory[ALIVE], memory[HAND], memory[GUESS]
     sums, sums2, part_w, part_p, part_q = (
         memory[SUM_THERE],
         memory[SUM2_THERE],
@@ -183,7 +184,8 @@ def _bring_hand(end: End, h: Heard, first: int, last: int, lanes: tuple[int, ...
         if h.as_one:
             hand = hand + pulled
         else:
-            spring = h.k * load(x, r, lanes) + h.damping * load(v, r, lanes)
+            # Where the copy will be in the middle of the step: at its start, k T/2 is lacking of the hand's damping.
+            spring = h.k * load(x, r, lanes) + (h.damping + 0.5 * T * h.k) * load(v, r, lanes)
             hand = hand - where(size(w_now) + size(p), spring, nothing)
         # Since the last step the sums rose by this; since it is another hand, by what a held force would not do.
         if h.taken:
@@ -193,7 +195,9 @@ def _bring_hand(end: End, h: Heard, first: int, last: int, lanes: tuple[int, ...
         else:
             before = load(sums, r, lanes)
             more, more2 = one - before, two - load(sums2, r, lanes) - T * before
-        store(hands, r, hand - h.hands * mine, lanes)
+        hand = hand - h.hands * mine
+        store(hands, r, hand, lanes)
+        store(guesses, r, hand, lanes)
         kept = total(size(a) + size(aa) + size(slope) + size(one) + size(two))
         if acts == 0.0 and kept < _NOTHING:
             # What has died away is as if it had never been; so it costs nothing, and no number gets too small.
@@ -233,12 +237,20 @@ def bring_hand(end: End, h: Heard) -> None:
 
 @helper
 def _wish(
-    end: End, then: Then, pull: float, damp: float, trust: float, first: int, last: int, lanes: tuple[int, ...]
+    end: End,
+    then: Then,
+    pull: float,
+    damp: float,
+    trust: float,
+    part: float,
+    first: int,
+    last: int,
+    lanes: tuple[int, ...],
 ) -> float:
     weight, hands, wished = end.weight, end.memory[HAND], end.memory[WISHED]
     sample, v_there = end.sample, end.received[M_V]
     xs, vs, ys, us = end.shared[then.x], end.shared[then.v], end.shared[then.y], end.shared[then.u]
-    each, square = 1.0 / end.copies, splat(0.0, lanes)
+    each, square = part / end.copies, splat(0.0, lanes)
     for r in range(first, last):
         x, v, u = load(xs, r, lanes), load(vs, r, lanes), load(us, r, lanes)
         way = load(ys, r, lanes) - x
@@ -255,7 +267,7 @@ def _wish(
 
 
 @helper
-def wish(end: End, then: Then, pull: float, damp: float, trust: float) -> float:
+def wish(end: End, then: Then, pull: float, damp: float, trust: float, part: float) -> float:
     """What the link wishes: its share of the hand's force, and what draws the copies together; gives its ‖·‖²_W [N²].
 
     Args:
@@ -264,10 +276,11 @@ def wish(end: End, then: Then, pull: float, damp: float, trust: float) -> float:
         pull: N for a metre that the copies are apart.
         damp: N for a metre a second.
         trust: from 0 to 1, less for a sample that is too old.
+        part: from 0 to 1, of the hand's force, less where guesses of it were wrong.
     """
     n = end.position.shape[0]
-    fours = _wish(end, then, pull, damp, trust, 0, n // 4, FOUR)
-    return fours + _wish(end, then, pull, damp, trust, n // 4 * 4, n, ONE)
+    fours = _wish(end, then, pull, damp, trust, part, 0, n // 4, FOUR)
+    return fours + _wish(end, then, pull, damp, trust, part, n // 4 * 4, n, ONE)
 
 
 @helper
@@ -287,7 +300,7 @@ def add_wish(end: End, capped: float, trust: float) -> None:
     Args:
         end: of the link.
         capped: share of it that a limit of the force leaves.
-        trust: as `wish` has it.
+        trust: times part, as `wish` has them.
     """
     n = end.position.shape[0]
     _add_wish(end, capped, trust, 0, n // 4, FOUR)

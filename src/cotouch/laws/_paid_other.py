@@ -22,8 +22,11 @@ from cotouch.laws._paid_fields import (
     DONE,
     EACH,
     EPOCH,
+    FORCES,
     GIVEN,
     GRASPED,
+    GUESS,
+    GUESSES,
     HAND,
     KEPT,
     LOG,
@@ -41,6 +44,7 @@ from cotouch.laws._paid_fields import (
     M_V,
     M_W,
     M_WAY,
+    NEWEST,
     OWN_B,
     PART_B,
     PART_EPOCH,
@@ -80,13 +84,17 @@ _MOST_P = 100.0
 def past(end: End, when: float) -> tuple[int, int, float, float]:
     """Where a time lies in what is kept of this copy: rows before and after it, share between them, and its length.
 
+    Since the newest, both rows are its, and the share is the whole length.
+
     Args:
         end: of the link.
         when: the time [s].
     """
     numbers = end.shared_scalars
     count = int(numbers[COUNT])
-    after, late = -1, numbers[TIME] - 0.5 * end.T
+    after, late = -1, numbers[NEWEST]
+    if when >= late:
+        return after, after, 1.0, when - late
     for back in range(1, min(count, KEPT) + 1):
         slot = (count - back) % KEPT
         time = numbers[TIMES + slot]
@@ -220,11 +228,12 @@ def _tell_sums(
 
 @helper
 def _note_done(end: End, log: int, first: int, last: int, lanes: tuple[int, ...]) -> None:
-    """What the hand did to this copy, and this link's part of what was not done as it was wished."""
+    """What the hand did to this copy, with this link's part of what was not done as wished; and what was guessed."""
     T, own, numbers, memory, weight, mean = end.T, end.shared, end.shared_scalars, end.memory, end.weight, end.mean
     wishes, asked, mine, hands, done = own[WISH], own[ASKED], own[TOLD], memory[HAND], memory[DONE]
     brake, part, others = numbers[BRAKE], end.copies / numbers[DEGREE], end.received_scalars[M_HANDS]
-    logged = memory[LOG + max(log, 0)]
+    logged, guess, guesses = memory[LOG + max(log, 0)], memory[GUESS], memory[GUESSES + max(log, 0)]
+    forces = own[FORCES + max(log, 0)]
     for r in range(first, last):
         short = load(wishes, r, lanes) - brake * load(mean, r, lanes) - load(asked, r, lanes)
         hand = load(hands, r, lanes) + others * load(mine, r, lanes)
@@ -232,6 +241,9 @@ def _note_done(end: End, log: int, first: int, last: int, lanes: tuple[int, ...]
         before = load(done, r, lanes)
         if log >= 0:
             store(logged, r, before + 0.5 * more, lanes)
+            store(guesses, r, load(guess, r, lanes), lanes)
+            store(forces, r, load(mine, r, lanes), lanes)
+        store(guess, r, splat(0.0, lanes), lanes)
         store(done, r, before + more, lanes)
         store(hands, r, splat(0.0, lanes), lanes)
 
