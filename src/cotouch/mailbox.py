@@ -12,14 +12,13 @@ import struct
 import zlib
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, Final, final
+from typing import Final, final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Array
 from cotouch.errors import InputError
 
-Array = npt.NDArray[Any]
 Fields = Mapping[str, tuple[tuple[int, ...], str]]
 
 _MAGIC: Final = b"mailbox format 2"

@@ -35,6 +35,15 @@ def test_unknown_types_are_let_pass_at_borders_only() -> None:
     assert len(reasons) <= 31, "numba's border takes two files; fewer each time, not more"
 
 
+def test_types_of_arrays_have_one_name_each() -> None:
+    """A module may name what an array is for, such as a flag; what it is of is named in `cotouch.arrays`."""
+    plain = re.compile(
+        r"^(Array|Bools?|Complex|Floats?|Ints?|Longs?|\w*Array)(?:: TypeAlias)? = npt\.NDArray", re.MULTILINE
+    )
+    found = {path.relative_to(PACKAGE).as_posix() for path in PACKAGE.rglob("*.py") if plain.search(path.read_text())}
+    assert found == {"arrays.py"}
+
+
 @pytest.mark.skipif(not STUBS.is_dir(), reason="the stubs are in the repository only")
 @pytest.mark.parametrize("path", sorted(STUBS.rglob("*.pyi")), ids=lambda path: str(path.relative_to(STUBS)))
 def test_stubs_name_what_there_is(path) -> None:

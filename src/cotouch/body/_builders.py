@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
+from cotouch.arrays import Long
 from cotouch.body._body import Body
 from cotouch.body._checks import one_number
 from cotouch.body._elasticity import cubes_of, springs_of_cells
@@ -227,7 +228,7 @@ def _grid_material(
     )
 
 
-def _box_skin(places: npt.NDArray[np.int64], extents: tuple[int, ...], spacing: float) -> Skin:
+def _box_skin(places: Long, extents: tuple[int, ...], spacing: float) -> Skin:
     """The faces of a box of nodes, two triangles to a square; of a sheet, which is felt from both sides, one layer."""
     vertices, triangles = box_surface(np.array(extents) - 1)
     index = np.asarray(np.ravel_multi_index(tuple(vertices.astype(np.int64).T), extents))
@@ -239,7 +240,7 @@ def _box_skin(places: npt.NDArray[np.int64], extents: tuple[int, ...], spacing: 
     )
 
 
-def _laplacian(places: npt.NDArray[np.int64], extents: tuple[int, ...], reach: int) -> sp.csr_array:
+def _laplacian(places: Long, extents: tuple[int, ...], reach: int) -> sp.csr_array:
     """Unit-weight Laplacian of the grid; neighbours differ by at most 1 on each axis and on at most `reach` axes."""
     count = places.shape[0]
     starts: list[npt.NDArray[Any]] = []
@@ -260,7 +261,7 @@ def _laplacian(places: npt.NDArray[np.int64], extents: tuple[int, ...], reach: i
     return sp.csr_array((np.concatenate([-ones, -ones, ones, ones]), (rows, columns)), shape=(count, count))
 
 
-def _held(ground: Ground, places: npt.NDArray[np.int64], extents: tuple[int, ...]) -> npt.NDArray[np.intp]:
+def _held(ground: Ground, places: Long, extents: tuple[int, ...]) -> npt.NDArray[np.intp]:
     count = places.shape[0]
     if isinstance(ground, str):
         if ground in {"none", "all"}:

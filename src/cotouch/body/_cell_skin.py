@@ -1,19 +1,16 @@
 """A skin that runs through cubes, divided where it passes from one to the next."""
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.body._cells import CORNERS
 from cotouch.body._skin import Skin
-
-Ints = npt.NDArray[np.int64]
 
 # A corner this near to a plane of the grid lies on it; where a piece is, is asked this far inside; both in cubes.
 _ON, _INWARD = 1e-7, 1e-5
 
 
-def divided(skin: Skin, rest: Float, cubes: Ints) -> tuple[Skin, Ints]:
+def divided(skin: Skin, rest: Float, cubes: Long) -> tuple[Skin, Long]:
     """The same skin in triangles that each lie in one cube and hang on its corners.
 
     Args:
@@ -48,7 +45,7 @@ def divided(skin: Skin, rest: Float, cubes: Ints) -> tuple[Skin, Ints]:
     spots: Float = np.concatenate(corners)
     keys = np.column_stack([np.repeat(cell, 3), np.rint(spots / _ON).astype(np.int64)])
     _, first, vertex = np.unique(keys, axis=0, return_index=True, return_inverse=True)
-    of: Ints = np.repeat(cell, 3)[first]
+    of: Long = np.repeat(cell, 3)[first]
     local: Float = np.asarray(spots[first] - places[of], dtype=np.float64)
     sides: Float = np.where(CORNERS[None] == 1, local[:, None, :], 1.0 - local[:, None, :])
     made = Skin(

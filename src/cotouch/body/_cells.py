@@ -7,13 +7,10 @@ from dataclasses import dataclass
 from typing import Final, final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.body._lines import crossings, turns
 from cotouch.errors import BodyError
-
-Ints = npt.NDArray[np.int64]
 
 # Vertical lines through each cell, along each of two axes, on which what is inside is measured exactly.
 _LINES: Final = 4
@@ -26,7 +23,7 @@ _MOST_CELLS: Final = 20_000_000
 _BATCH: Final = 2_000_000
 
 # Corners of a cell in the order of their weights.
-CORNERS: Final[Ints] = np.array([(a, b, c) for a in (0, 1) for b in (0, 1) for c in (0, 1)], dtype=np.int64)
+CORNERS: Final[Long] = np.array([(a, b, c) for a in (0, 1) for b in (0, 1) for c in (0, 1)], dtype=np.int64)
 
 
 @final
@@ -44,12 +41,12 @@ class Cells:
 
     spacing: float
     origin: Float
-    shape: Ints
-    places: Ints
+    shape: Long
+    places: Long
     fill: Float
 
 
-def cells_of(vertices: Float, triangles: Ints, resolution: int) -> Cells:
+def cells_of(vertices: Float, triangles: Long, resolution: int) -> Cells:
     """The cells that a closed surface fills or touches.
 
     Args:
@@ -78,7 +75,7 @@ def cells_of(vertices: Float, triangles: Ints, resolution: int) -> Cells:
     return Cells(spacing=spacing, origin=origin, shape=shape, places=places, fill=values)
 
 
-def _filled(points: Float, triangles: Ints, shape: Ints) -> Float:
+def _filled(points: Float, triangles: Long, shape: Long) -> Float:
     """The share of every cell that is inside, (nx, ny, nz); places are in cells.
 
     A crossing that leads inside at z fills what is above z, and one that leads out empties it.
@@ -105,7 +102,7 @@ def _filled(points: Float, triangles: Ints, shape: Ints) -> Float:
     return sums / np.maximum(number, 1.0)[:, :, None]
 
 
-def _touched(points: Float, triangles: Ints, shape: Ints) -> tuple[Ints, Ints, Ints]:
+def _touched(points: Float, triangles: Long, shape: Long) -> tuple[Long, Long, Long]:
     """Cells in which the surface runs: those of points on it at most half a cell apart, and of its vertices."""
     a, b, c = (points[triangles[:, k]] for k in range(3))
     normal = np.cross(b - a, c - a)
@@ -114,7 +111,7 @@ def _touched(points: Float, triangles: Ints, shape: Ints) -> tuple[Ints, Ints, I
     normal = normal / np.where(flat, 1.0, length)[:, None]
     sides = np.stack([np.linalg.norm(b - a, axis=1), np.linalg.norm(c - b, axis=1), np.linalg.norm(a - c, axis=1)])
     parts = np.maximum(np.ceil(2.0 * sides.max(axis=0)), 1.0).astype(np.int64)
-    found: list[Ints] = []
+    found: list[Long] = []
     for number in np.unique(parts):
         chosen = np.flatnonzero((parts == number) & ~flat)
         grid = np.array([(i, j) for i in range(number + 1) for j in range(number + 1 - i)]) / number
@@ -133,7 +130,7 @@ def _touched(points: Float, triangles: Ints, shape: Ints) -> tuple[Ints, Ints, I
     return cells[:, 0], cells[:, 1], cells[:, 2]
 
 
-def _drawn_in(points: Float, triangles: Ints) -> Float:
+def _drawn_in(points: Float, triangles: Long) -> Float:
     """The vertices, moved inside by next to nothing."""
     a, b, c = (points[triangles[:, k]] for k in range(3))
     normal = np.cross(b - a, c - a)
@@ -145,11 +142,11 @@ def _drawn_in(points: Float, triangles: Ints) -> Float:
     return points - _INWARD * sums / length[:, None]
 
 
-def _cell(spots: Float, shape: Ints) -> Ints:
+def _cell(spots: Float, shape: Long) -> Long:
     return np.clip(np.floor(spots).astype(np.int64), 0, shape - 1)
 
 
-def carriers(vertices: Float, triangles: Ints, cells: Cells) -> tuple[Ints, Float]:
+def carriers(vertices: Float, triangles: Long, cells: Cells) -> tuple[Long, Float]:
     """For every vertex the cell that it lies in, as a row of `cells.places`, and trilinear weights of its corners.
 
     Args:
@@ -164,7 +161,7 @@ def carriers(vertices: Float, triangles: Ints, cells: Cells) -> tuple[Ints, Floa
     places = _cell(_drawn_in(points, triangles), cells.shape)
     keys = np.asarray(np.ravel_multi_index(tuple(cells.places.T), tuple(cells.shape)))
     wanted = np.asarray(np.ravel_multi_index(tuple(places.T), tuple(cells.shape)))
-    rows: Ints = np.minimum(np.searchsorted(keys, wanted), keys.size - 1).astype(np.int64)
+    rows: Long = np.minimum(np.searchsorted(keys, wanted), keys.size - 1).astype(np.int64)
     assert np.array_equal(keys[rows], wanted)  # `cells_of` took every cell that holds a vertex
     local = points - places
     sides = np.where(CORNERS[None] == 1, local[:, None, :], 1.0 - local[:, None, :])

@@ -8,6 +8,7 @@ import numpy.typing as npt
 import scipy.linalg as la
 import scipy.sparse as sp
 
+from cotouch.arrays import Float
 from cotouch.errors import BodyError
 
 Matrix: TypeAlias = npt.ArrayLike | sp.sparray | sp.spmatrix
@@ -101,7 +102,7 @@ def _small(matrix: Matrix, sizes: dict[int, Form]) -> sp.csr_array | None:
     return sp.csr_array((values[i, j], j.astype(np.int32), pointer.astype(np.int32)), shape=(rows, rows))
 
 
-def _is_diagonal(matrix: sp.csr_array, own: npt.NDArray[np.float64]) -> bool:
+def _is_diagonal(matrix: sp.csr_array, own: Float) -> bool:
     """Whether a matrix without stored zeros has no entries but those of its diagonal `own`."""
     return matrix.nnz == np.count_nonzero(own)
 

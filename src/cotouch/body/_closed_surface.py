@@ -3,16 +3,13 @@
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.body._assembly import MeshSource, name_of
 from cotouch.body._reading import Unit, as_mesh, metres
 from cotouch.body._repair import repaired
 from cotouch.errors import BodyError
 from cotouch.meshfile import Mesh, read_surface
-
-Int = npt.NDArray[np.int32]
 
 
 def closed_surface(

@@ -4,10 +4,9 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.body._body import Body
 from cotouch.body._builders import MOST_NODES
 from cotouch.body._cell_skin import divided
@@ -21,12 +20,10 @@ from cotouch.body._skin import Skin
 from cotouch.body._together import joined
 from cotouch.errors import BodyError
 
-Ints = npt.NDArray[np.int64]
-
 # A face is so many times as stiff as the elements beside it: they yield by less than a hundredth more.
 _STIFFER = {8: 250.0, 4: 500.0}
 # Corners of the sides of elements in turn, seen from outside, by the number of an element's corners.
-_SIDES: dict[int, Ints] = {
+_SIDES: dict[int, Long] = {
     4: np.array(FACES[4]),
     8: np.array([(one[0], one[1], one[2], two[2]) for one, two in zip(FACES[8][::2], FACES[8][1::2], strict=True)]),
 }
@@ -91,11 +88,11 @@ def with_faces(body: Body) -> Body:
     )
 
 
-def _numbered(elements: Ints) -> tuple[Ints, Ints]:
+def _numbered(elements: Long) -> tuple[Long, Long]:
     """Numbers of each element's own nodes (E, c), and the node that each of them was (n,)."""
     flat = elements.ravel()
     nodes, first = np.unique(flat, return_index=True)
-    own: Ints = np.full(flat.size, -1, dtype=np.int64)
+    own: Long = np.full(flat.size, -1, dtype=np.int64)
     own[first] = nodes
     more = np.flatnonzero(own < 0)
     own[more] = nodes.size + np.arange(more.size)
@@ -104,7 +101,7 @@ def _numbered(elements: Ints) -> tuple[Ints, Ints]:
     return own.reshape(elements.shape), parent
 
 
-def _tied(elements: Ints, own: Ints) -> tuple[Ints, Ints]:
+def _tied(elements: Long, own: Long) -> tuple[Long, Long]:
     """Pairs of elements that share a face (F, 2), and the nodes of the one and of the other there (F, 2 m)."""
     loops = _SIDES[elements.shape[1]]
     at = elements[:, loops]
@@ -129,7 +126,7 @@ def _sizes(rest: Float, material: Material) -> Float:
     return np.abs(np.linalg.det(edges)) / 6.0
 
 
-def _part_of(elements: Ints, own: Ints, size: Float) -> Float:
+def _part_of(elements: Long, own: Long, size: Float) -> Float:
     """The share of the node that it was which each node has, (n,)."""
     each = np.repeat(size, elements.shape[1])
     whole = np.bincount(elements.ravel(), weights=each)
@@ -138,14 +135,14 @@ def _part_of(elements: Ints, own: Ints, size: Float) -> Float:
     return part
 
 
-def _shared_out(matrix: sp.csr_array, parent: Ints, part: Float) -> sp.csr_array:
+def _shared_out(matrix: sp.csr_array, parent: Long, part: Float) -> sp.csr_array:
     """A diagonal matrix of the nodes that were."""
     axes = matrix.shape[0] // (int(parent.max()) + 1)
     values = matrix.diagonal().reshape(-1, axes)[parent] * part[:, None]
     return sp.csr_array(sp.diags_array(values.ravel()))
 
 
-def _stiffness(rest: Float, own: Ints, material: Material) -> sp.csr_array:
+def _stiffness(rest: Float, own: Long, material: Material) -> sp.csr_array:
     """K of all elements by themselves, in the body's form."""
     if material.model == "cells":
         return springs_of_cells(rest.shape[0], own, material.stiffness, stiffness=1.0)
@@ -153,7 +150,7 @@ def _stiffness(rest: Float, own: Ints, material: Material) -> sp.csr_array:
     return elastic_tetrahedra(rest, own, young=np.maximum(material.young, least), poisson=material.poisson)
 
 
-def _ties(rest: Float, own: Ints, faces: Ints, sides: Ints, material: Material) -> Float:
+def _ties(rest: Float, own: Long, faces: Long, sides: Long, material: Material) -> Float:
     """Stiffness of the spring at each corner of a face, (F,) [N/m]."""
     stiffer = _STIFFER[own.shape[1]]
     if material.model == "cells":
@@ -168,7 +165,7 @@ def _ties(rest: Float, own: Ints, faces: Ints, sides: Ints, material: Material) 
     return stiffer * modulus * area / (3.0 * thin)
 
 
-def _skin(skin: Skin, rest: Float, elements: Ints, own: Ints) -> Skin:
+def _skin(skin: Skin, rest: Float, elements: Long, own: Long) -> Skin:
     """The skin, whose triangles each hang on their own element; one that runs through cubes is divided."""
     if elements.shape[1] == skin.nodes.shape[1] == len(CORNERS):
         skin, owner = divided(skin, rest, elements)

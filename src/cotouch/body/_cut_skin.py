@@ -2,18 +2,15 @@
 
 from dataclasses import dataclass
 from itertools import combinations
-from typing import TypeAlias, final
+from typing import final
 
 import numpy as np
-import numpy.typing as npt
 from scipy.spatial import cKDTree
 
-from cotouch.arrays import Float
+from cotouch.arrays import Bool, Float, Long
 from cotouch.body._body import Body
 from cotouch.body._cells import CORNERS as _CORNERS
 from cotouch.body._skin import Skin, joined_skins
-
-Ints: TypeAlias = npt.NDArray[np.int64]
 
 # Faces of an element seen from outside, by its number of corners; the sides of cubes are two triangles each.
 _TETRAHEDRON = ((0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3))
@@ -47,14 +44,14 @@ class CutSkin:
     """
 
     skin: Skin
-    pointer: Ints
-    element: Ints
-    beyond: Ints
-    side: Ints
-    vertices: Ints
-    triangles: Ints
+    pointer: Long
+    element: Long
+    beyond: Long
+    side: Long
+    vertices: Long
+    triangles: Long
 
-    def shown(self, cut: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
+    def shown(self, cut: Bool) -> Bool:
         """Which triangles are there, (F,).
 
         Args:
@@ -110,10 +107,10 @@ def cut_skin(body: Body) -> CutSkin | None:
     )
 
 
-def _opened(faces: Ints, sides: Ints) -> tuple[Ints, Ints, Ints]:
+def _opened(faces: Long, sides: Long) -> tuple[Long, Long, Long]:
     """Triangles of both sides of faces that open, as of `_inner`; beyond is the number of the face."""
     wide, number = faces.shape[1] // 2, np.arange(faces.shape[0], dtype=np.int64)
-    found: list[Ints] = []
+    found: list[Long] = []
     for n in range(1, wide - 1):
         found += [faces[:, [0, n, n + 1]], faces[:, [wide, wide + n + 1, wide + n]]]
     own = np.tile(np.concatenate([sides[:, 0], sides[:, 1]]), wide - 2)
@@ -140,9 +137,9 @@ def _side_by_side(body: Body) -> CutSkin:
     first = np.cumsum([0, *(part.body.cut_count for part in body.parts)])
     entries = np.cumsum([0, *(one.element.size for one in each)])
     sides = np.cumsum([0, *(int(one.side.max(initial=-1)) + 1 for one in each)])
-    beyond: list[Ints] = [np.where(o.beyond < 0, -1, o.beyond + n) for o, n in zip(each, first, strict=False)]
-    pointer: list[Ints] = [one.pointer[1:] + n for one, n in zip(each, entries, strict=False)]
-    side: list[Ints] = [one.side + n for one, n in zip(each, sides, strict=False)]
+    beyond: list[Long] = [np.where(o.beyond < 0, -1, o.beyond + n) for o, n in zip(each, first, strict=False)]
+    pointer: list[Long] = [one.pointer[1:] + n for one, n in zip(each, entries, strict=False)]
+    side: list[Long] = [one.side + n for one, n in zip(each, sides, strict=False)]
     return CutSkin(
         skin=joined_skins([part.carrying(one.skin) for part, one in zip(body.parts, each, strict=True)]),
         pointer=np.concatenate([np.zeros(1, dtype=np.int64), *pointer]),
@@ -166,7 +163,7 @@ def drawn_skin(body: Body) -> Skin | None:
     return None if faces is None else faces.skin
 
 
-def _within(skin: Skin, rest: Float, elements: Ints, faces: Ints, own: Ints) -> tuple[Float, Ints, Float, Ints]:
+def _within(skin: Skin, rest: Float, elements: Long, faces: Long, own: Long) -> tuple[Float, Long, Float, Long]:
     """Places of the inner faces' corners, the nodes that carry them, how much of each, and the corners by number.
 
     A lattice reaches beyond the skin that it carries. There a corner lies on the skin, not at the node, and moves with
@@ -198,7 +195,7 @@ def _within(skin: Skin, rest: Float, elements: Ints, faces: Ints, own: Ints) -> 
     return places, nodes, weights, corners.reshape(faces.shape)
 
 
-def carriers(skin: Skin, elements: Ints) -> list[list[int]]:
+def carriers(skin: Skin, elements: Long) -> list[list[int]]:
     """Elements that carry each triangle: those of its vertices, or all springs between its nodes.
 
     Args:
@@ -233,7 +230,7 @@ def carriers(skin: Skin, elements: Ints) -> list[list[int]]:
     return result
 
 
-def _inner(elements: Ints) -> tuple[Ints, Ints, Ints]:
+def _inner(elements: Long) -> tuple[Long, Long, Long]:
     """Triangles inside: nodes (T, 3), the element that each belongs to, and the one beyond it."""
     nothing = np.zeros(0, dtype=np.int64)
     faces = FACES[elements.shape[1]]
@@ -242,12 +239,12 @@ def _inner(elements: Ints) -> tuple[Ints, Ints, Ints]:
     together = _A_SIDE[elements.shape[1]]
     sides = np.array(faces).reshape(-1, together * 3)
     at = elements[:, sides].reshape(-1, together * 3)
-    own: Ints = np.repeat(np.arange(elements.shape[0], dtype=np.int64), sides.shape[0])
+    own: Long = np.repeat(np.arange(elements.shape[0], dtype=np.int64), sides.shape[0])
     key = np.array([sorted(set(side)) for side in at.tolist()])
     _, number, times = np.unique(key, axis=0, return_inverse=True, return_counts=True)
     order = np.argsort(number.reshape(-1), kind="stable")
     pairs = order[times[number.reshape(-1)[order]] == 2].reshape(-1, 2)
     here, there = np.concatenate([pairs, pairs[:, ::-1]]).T
-    owner: Ints = np.repeat(own[here], together).astype(np.int64)
-    beyond: Ints = np.repeat(own[there], together).astype(np.int64)
+    owner: Long = np.repeat(own[here], together).astype(np.int64)
+    beyond: Long = np.repeat(own[there], together).astype(np.int64)
     return at[here].reshape(-1, 3), owner, beyond

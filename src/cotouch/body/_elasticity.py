@@ -5,20 +5,17 @@
 from typing import Any, Final
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.body._cells import CORNERS
-
-Ints = npt.NDArray[np.int64]
 
 # The twelve edges of a cell, as pairs of its corners.
 EDGES: Final = [(i, j) for i in range(8) for j in range(i + 1, 8) if int(np.abs(CORNERS[i] - CORNERS[j]).sum()) == 1]
 
 
 def elastic_tetrahedra(
-    points: Float, tetrahedra: Ints, *, young: float | Float, poisson: float | Float
+    points: Float, tetrahedra: Long, *, young: float | Float, poisson: float | Float
 ) -> sp.csr_array:
     """K of isotropic linear elasticity on linear tetrahedra (P1), 3n x 3n [N/m], by scikit-fem.
 
@@ -39,7 +36,7 @@ def elastic_tetrahedra(
     return _by_nodes(linear_elasticity(*lame_parameters(*values)).assemble(basis), basis)
 
 
-def springs_of_tetrahedra(points: Float, tetrahedra: Ints, *, young: float | Float) -> sp.csr_array:
+def springs_of_tetrahedra(points: Float, tetrahedra: Long, *, young: float | Float) -> sp.csr_array:
     """K of the energy `½ E ∫ |∇u|²` on linear tetrahedra, n x n [N/m], by scikit-fem.
 
     Off the diagonal it is minus a spring for each edge, `k_ij = -E ∫ ∇φ_i·∇φ_j` (the cotangent weights). It stretches a
@@ -63,7 +60,7 @@ def springs_of_tetrahedra(points: Float, tetrahedra: Ints, *, young: float | Flo
     return sp.csr_array(BilinearForm(form).assemble(basis))
 
 
-def springs_along_edges(nodes: int, tetrahedra: Ints, *, stiffness: float) -> sp.csr_array:
+def springs_along_edges(nodes: int, tetrahedra: Long, *, stiffness: float) -> sp.csr_array:
     """K of equal springs along the edges of tetrahedra, n x n [N/m].
 
     Args:
@@ -75,14 +72,14 @@ def springs_along_edges(nodes: int, tetrahedra: Ints, *, stiffness: float) -> sp
     return _laplacian(nodes, pairs[:, 0], pairs[:, 1], np.full(pairs.shape[0], stiffness))
 
 
-def edges_of(tetrahedra: Ints) -> Ints:
+def edges_of(tetrahedra: Long) -> Long:
     """Every edge once, (.., 2)."""
     pairs = np.concatenate([tetrahedra[:, [i, j]] for i in range(4) for j in range(i + 1, 4)])
     return np.unique(np.sort(pairs, axis=1), axis=0)
 
 
 def elastic_cells(
-    nodes: int, corners: Ints, fill: Float, *, spacing: float, young: float, poisson: float
+    nodes: int, corners: Long, fill: Float, *, spacing: float, young: float, poisson: float
 ) -> sp.csr_array:
     """K of isotropic linear elasticity on cubes with trilinear shapes (Q1), 3n x 3n [N/m], each scaled by its fill.
 
@@ -108,7 +105,7 @@ def elastic_cells(
     return _assembled(3 * nodes, places, one, fill)
 
 
-def springs_of_cells(nodes: int, corners: Ints, fill: Float, *, stiffness: float) -> sp.csr_array:
+def springs_of_cells(nodes: int, corners: Long, fill: Float, *, stiffness: float) -> sp.csr_array:
     """K of springs along the edges of cubes, n x n [N/m]: each cube gives a quarter of `stiffness` to each edge.
 
     Inside, where four full cubes share an edge, a spring has `stiffness`. With `stiffness = E h` a bar along the grid
@@ -127,14 +124,14 @@ def springs_of_cells(nodes: int, corners: Ints, fill: Float, *, stiffness: float
     return _assembled(nodes, corners, one, fill)
 
 
-def cubes_of(extents: tuple[int, ...]) -> Ints:
+def cubes_of(extents: tuple[int, ...]) -> Long:
     """Corners of the cubes of a box of nodes, (.., 8), in the order of `CORNERS`."""
     index = np.arange(int(np.prod(extents))).reshape(extents)
     ends = [slice(0, -1), slice(1, None)]
     return np.stack([index[ends[a], ends[b], ends[c]].ravel() for a, b, c in CORNERS], axis=1).astype(np.int64)
 
 
-def network_of_cells(corners: Ints, fill: Float, *, stiffness: float) -> tuple[Ints, Float]:
+def network_of_cells(corners: Long, fill: Float, *, stiffness: float) -> tuple[Long, Float]:
     """Springs along edges and across faces of cubes, each edge once, (.., 2), and their stiffness.
 
     With springs of k inside along both, the lattice is isotropic, with `E = 2.5 k / h` and a Poisson's ratio of ¼: four
@@ -154,7 +151,7 @@ def network_of_cells(corners: Ints, fill: Float, *, stiffness: float) -> tuple[I
     return edges, np.bincount(place.ravel(), weights=fractions).astype(np.float64)
 
 
-def laplacian_of(nodes: int, edges: Ints, stiffness: Float) -> sp.csr_array:
+def laplacian_of(nodes: int, edges: Long, stiffness: Float) -> sp.csr_array:
     """K of scalar springs, n x n [N/m].
 
     Args:
@@ -165,7 +162,7 @@ def laplacian_of(nodes: int, edges: Ints, stiffness: Float) -> sp.csr_array:
     return _laplacian(nodes, edges[:, 0], edges[:, 1], stiffness)
 
 
-def _assembled(rows: int, places: Ints, one: Float, fill: Float) -> sp.csr_array:
+def _assembled(rows: int, places: Long, one: Float, fill: Float) -> sp.csr_array:
     size = one.shape[0]
     i = np.repeat(places, size, axis=1).ravel()
     j = np.tile(places, (1, size)).ravel()
@@ -174,7 +171,7 @@ def _assembled(rows: int, places: Ints, one: Float, fill: Float) -> sp.csr_array
     return sp.csr_array((values[kept], (i[kept], j[kept])), shape=(rows, rows))
 
 
-def _laplacian(nodes: int, i: Ints, j: Ints, weights: Float) -> sp.csr_array:
+def _laplacian(nodes: int, i: Long, j: Long, weights: Float) -> sp.csr_array:
     values = np.concatenate([weights, weights, -weights, -weights])
     return sp.csr_array((values, (np.r_[i, j, i, j], np.r_[i, j, j, i])), shape=(nodes, nodes))
 

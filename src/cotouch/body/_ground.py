@@ -5,14 +5,11 @@ from dataclasses import dataclass
 from typing import Literal, TypeAlias, final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Index
 from cotouch.errors import BodyError
 
-Nodes = npt.NDArray[np.intp]
-
-# Nodes this near to a face, beside the body's size, lie on it.
+# Index this near to a face, beside the body's size, lie on it.
 _ON = 1e-6
 # A plane is held by so many nodes.
 _FACE = 3
@@ -68,7 +65,7 @@ Held: TypeAlias = (
 )
 
 
-def held_nodes(ground: Held, rest: Float, *, slack: float, spacing: float, sets: Mapping[str, Nodes]) -> Nodes:
+def held_nodes(ground: Held, rest: Float, *, slack: float, spacing: float, sets: Mapping[str, Index]) -> Index:
     """Indices of the nodes that `ground` means.
 
     Args:
@@ -127,7 +124,7 @@ def held_nodes(ground: Held, rest: Float, *, slack: float, spacing: float, sets:
     return np.unique(indices)
 
 
-def rounded_face(ground: Held, rest: Float, held: Nodes) -> str | None:
+def rounded_face(ground: Held, rest: Float, held: Index) -> str | None:
     """What to say where a face of the body is no plane, so that a layer of nodes is held in its place.
 
     Args:
@@ -142,7 +139,7 @@ def rounded_face(ground: Held, rest: Float, held: Nodes) -> str | None:
     return f'The face "{ground}" is no plane: the {held.size} nodes within {deep:.3g} m of it are held.'
 
 
-def free_motions(rest: Float, held: Nodes, *, turning: bool) -> int:
+def free_motions(rest: Float, held: Index, *, turning: bool) -> int:
     """How many rigid motions the ground leaves free: of 6, or of the 3 shifts where turning is not free by itself.
 
     Args:
@@ -176,7 +173,7 @@ def _places(point: Float) -> str:
     return "(" + ", ".join(f"{value:.4g}" for value in point) + ")"
 
 
-def _some(found: Nodes, otherwise: str) -> Nodes:
+def _some(found: Index, otherwise: str) -> Index:
     if found.size == 0:
         raise BodyError(otherwise)
     return np.asarray(found, dtype=np.intp)

@@ -1,14 +1,11 @@
 """How a body of point masses turns, beside the solid that it stands for."""
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
-
-Ints = npt.NDArray[np.int64]
+from cotouch.arrays import Float, Long
 
 
-def inertia_excess(vertices: Float, triangles: Ints, rest: Float, shares: Float) -> float:
+def inertia_excess(vertices: Float, triangles: Long, rest: Float, shares: Float) -> float:
     """By how much the moments of inertia of masses at nodes exceed those of the solid, at most, as a share.
 
     Args:

@@ -3,11 +3,8 @@
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
-
-Ints = npt.NDArray[np.int64]
+from cotouch.arrays import Float, Long
 
 # The lines stand a little off every symmetric place, where surfaces like to have edges.
 _OFF: Final = (1.6180e-4, 1.4142e-4)
@@ -18,7 +15,7 @@ _SLIGHT: Final = 1e-6
 _FINE: Final = 400
 
 
-def crossings(points: Float, triangles: Ints, wide: int, deep: int) -> tuple[Ints, Float, Ints, Ints]:
+def crossings(points: Float, triangles: Long, wide: int, deep: int) -> tuple[Long, Float, Long, Long]:
     """All crossings of vertical lines with a surface, line by line and upwards.
 
     Args:
@@ -72,7 +69,7 @@ def crossings(points: Float, triangles: Ints, wide: int, deep: int) -> tuple[Int
     return line, height, winding, turn
 
 
-def turns(line: Ints, turn: Ints, lines: int) -> Ints:
+def turns(line: Long, turn: Long, lines: int) -> Long:
     """The winding number above everything on each line, (lines,); other than 0 where a line grazed an edge.
 
     Args:
@@ -83,7 +80,7 @@ def turns(line: Ints, turn: Ints, lines: int) -> Ints:
     return np.rint(np.bincount(line, weights=turn, minlength=lines)).astype(np.int64)
 
 
-def doubled(vertices: Float, triangles: Ints) -> float:
+def doubled(vertices: Float, triangles: Long) -> float:
     """What the divergence theorem counts more than once, less holes in what is not there [m³].
 
     The volume where the winding number is above 0 is the signed volume less this; 0 where nothing overlaps.

@@ -5,13 +5,10 @@ from math import inf
 from typing import Literal, TypeAlias, final, get_args
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.body._strains import frame_of
 from cotouch.errors import BodyError
-
-Ints = npt.NDArray[np.int64]
 
 MaterialModel: TypeAlias = Literal[
     "linear",
@@ -64,7 +61,7 @@ class Material:
     """
 
     model: MaterialModel
-    elements: Ints = field(default_factory=lambda: np.zeros((0, 0), dtype=np.int64))
+    elements: Long = field(default_factory=lambda: np.zeros((0, 0), dtype=np.int64))
     stiffness: Float = field(default_factory=lambda: np.zeros(0))
     young: float | Float = 0.0
     poisson: float | Float = 0.0
@@ -74,8 +71,8 @@ class Material:
     tear: float = inf
     strength: float = inf
     toughness: float = 0.0
-    faces: Ints = field(default_factory=lambda: np.zeros((0, 0), dtype=np.int64))
-    sides: Ints = field(default_factory=lambda: np.zeros((0, 2), dtype=np.int64))
+    faces: Long = field(default_factory=lambda: np.zeros((0, 0), dtype=np.int64))
+    sides: Long = field(default_factory=lambda: np.zeros((0, 2), dtype=np.int64))
     ties: Float = field(default_factory=lambda: np.zeros(0))
     part: Float = field(default_factory=lambda: np.zeros(0))
 

@@ -3,17 +3,14 @@
 from typing import Final, Literal, TypeAlias, get_args
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.body import _elasticity as elasticity
 from cotouch.body._cells import Cells
 from cotouch.body._checks import one_number
 from cotouch.body._material import Frame, Material, linear_material
 from cotouch.errors import BodyError
-
-Ints = npt.NDArray[np.int64]
 
 # What follows K and B as they are, in a frame; and with what turns by itself.
 LinearModel: TypeAlias = Literal["springs", "elastic"]
@@ -31,7 +28,7 @@ _NETWORK: Final = 0.4
 
 def of_cells(
     cells: Cells,
-    corners: Ints,
+    corners: Long,
     nodes: int,
     *,
     model: SurfaceModel,
@@ -74,7 +71,7 @@ def of_cells(
 
 def of_tetrahedra(
     rest: Float,
-    elements: Ints,
+    elements: Long,
     *,
     model: SolidModel,
     young: float | Float,

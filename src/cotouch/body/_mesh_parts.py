@@ -4,12 +4,10 @@ from collections.abc import Mapping
 from typing import Final, TypeAlias
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.errors import BodyError
 
-Ints: TypeAlias = npt.NDArray[np.int64]
 # By the name of a set: young [Pa], poisson and rayleigh_stiffness [s] of what lies in it.
 Parts: TypeAlias = Mapping[str, Mapping[str, float]]
 
@@ -22,7 +20,7 @@ _RANGES: Final = {
 
 
 def of_parts(
-    parts: Parts, elements: Ints, sets: Mapping[str, Ints], whole: Mapping[str, float], name: str
+    parts: Parts, elements: Long, sets: Mapping[str, Long], whole: Mapping[str, float], name: str
 ) -> dict[str, float | Float]:
     """Young's modulus, Poisson's ratio and damping of each tetrahedron; one number each without parts.
 

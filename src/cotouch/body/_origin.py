@@ -6,6 +6,8 @@ from typing import Literal, final
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
+
 
 @final
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -32,7 +34,7 @@ class Origin:
     unit: str
     elements: int
     volume: float
-    size: npt.NDArray[np.float64]
+    size: Float
     spacing: float
     held: npt.NDArray[np.intp]
     free: int

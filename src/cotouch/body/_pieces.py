@@ -7,13 +7,12 @@ import numpy.typing as npt
 import scipy.sparse as sp
 from scipy.sparse.csgraph import connected_components
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.body._cells import CORNERS, Cells, carriers, cells_of
 from cotouch.body._repair import Shells
 from cotouch.body._skin import Skin
 from cotouch.errors import BodyError
 
-Ints = npt.NDArray[np.int64]
 # A piece with less than this share of the volume is debris.
 _DEBRIS: Final = 0.01
 # A tetrahedron of less than this share of its longest edge cubed is flat (a regular one has 0.118).
@@ -22,7 +21,7 @@ _FLAT: Final = 1e-8
 _DIGITS: Final = 9
 
 
-def grid_nodes(cells: Cells) -> tuple[Ints, Float]:
+def grid_nodes(cells: Cells) -> tuple[Long, Float]:
     """Nodes of the eight corners of each cell, (E, 8), and the places of the nodes."""
     grid = cells.shape + 1
     keys = np.ravel_multi_index(tuple(np.moveaxis(cells.places[:, None] + CORNERS[None], -1, 0)), tuple(grid))
@@ -60,7 +59,7 @@ def one_part(shells: Shells, resolution: int, part: int | None, name: str) -> tu
     return kept, cells_of(kept.vertices, kept.triangles, resolution), [_left(fractions.size, chosen, part)]
 
 
-def _by_size(fractions: npt.NDArray[Any]) -> Ints:
+def _by_size(fractions: npt.NDArray[Any]) -> Long:
     """Largest first; what differs by no more than round-off keeps its order, so that all machines number alike."""
     return np.argsort(-(fractions / fractions.max()).round(_DIGITS), kind="stable")
 
@@ -88,14 +87,14 @@ def _left(parts: int, chosen: int, part: int | None) -> str:
     return f"Part {chosen + 1} of {parts} taken."
 
 
-def _together(elements: Ints, nodes: int) -> Ints:
+def _together(elements: Long, nodes: int) -> Long:
     """Which connected piece each node is of."""
     rows = np.repeat(elements[:, 0], elements.shape[1] - 1)
     graph = sp.csr_array((np.ones(rows.size), (rows, elements[:, 1:].ravel())), shape=(nodes, nodes))
     return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64)
 
 
-def volumes_of(points: Float, elements: Ints) -> Float:
+def volumes_of(points: Float, elements: Long) -> Float:
     """Of tetrahedra, (E,); negative of those that are turned inside out [m³].
 
     Args:
@@ -106,7 +105,7 @@ def volumes_of(points: Float, elements: Ints) -> Float:
     return np.einsum("ij,ij->i", b - a, np.cross(c - a, d - a)) / 6.0
 
 
-def without_broken(points: Float, elements: Ints, name: str, notes: list[str]) -> Ints:
+def without_broken(points: Float, elements: Long, name: str, notes: list[str]) -> Long:
     """Without flat and repeated elements, and all turned the right way.
 
     Args:
@@ -136,7 +135,7 @@ def without_broken(points: Float, elements: Ints, name: str, notes: list[str]) -
     return elements
 
 
-def one_piece(points: Float, elements: Ints, part: int | None, name: str, notes: list[str]) -> Ints:
+def one_piece(points: Float, elements: Long, part: int | None, name: str, notes: list[str]) -> Long:
     """The elements that hang together.
 
     Args:
@@ -162,7 +161,7 @@ def one_piece(points: Float, elements: Ints, part: int | None, name: str, notes:
     return elements[label.ravel() == ranked[chosen]]
 
 
-def hinged(elements: Ints) -> int:
+def hinged(elements: Long) -> int:
     """How many groups of elements there are that no face joins to each other."""
     count = int(elements.shape[0])
     faces = np.sort(np.concatenate([np.delete(elements, corner, axis=1) for corner in range(4)]), axis=1)
@@ -173,7 +172,7 @@ def hinged(elements: Ints) -> int:
     return int(connected_components(joined @ joined.T, directed=False)[0])
 
 
-def boundary_of(rest: Float, elements: Ints) -> Skin:
+def boundary_of(rest: Float, elements: Long) -> Skin:
     """Faces that belong to one element only, seen from outside.
 
     Args:

@@ -4,16 +4,13 @@ from dataclasses import dataclass, replace
 from typing import Final, final
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 from scipy.sparse.csgraph import breadth_first_order, connected_components
 
-from cotouch.arrays import Float
+from cotouch.arrays import Bool, Float, Long
 from cotouch.body._reading import check_indices
 from cotouch.errors import BodyError
 from cotouch.meshfile import Mesh
-
-Ints = npt.NDArray[np.int64]
 
 # Points this near to each other, beside the size of the whole, are one: single precision in files keeps 1e-7.
 _SAME: Final = 1e-6
@@ -41,8 +38,8 @@ class Shells:
     """
 
     vertices: Float
-    triangles: Ints
-    shell: Ints
+    triangles: Long
+    shell: Long
     volumes: Float
     notes: tuple[str, ...]
 
@@ -51,7 +48,7 @@ class Shells:
         """As if shells did not overlap; `cotouch.body._lines.doubled` says what is then too much."""
         return float(self.volumes.sum())
 
-    def only(self, shells: Ints) -> "Shells":
+    def only(self, shells: Long) -> "Shells":
         """Some of the shells."""
         kept = np.isin(self.shell, shells)
         vertices, triangles = _compact(self.vertices, self.triangles[kept])
@@ -125,13 +122,13 @@ def repaired(mesh: Mesh, source: str) -> Shells:
     return replace(made, notes=tuple(notes))
 
 
-def _compact(vertices: Float, triangles: Ints) -> tuple[Float, Ints]:
+def _compact(vertices: Float, triangles: Long) -> tuple[Float, Long]:
     """Without the points that no triangle uses."""
     used, places = np.unique(triangles, return_inverse=True)
     return vertices[used], places.reshape(triangles.shape)
 
 
-def _merged(vertices: Float, triangles: Ints, size: float) -> tuple[Float, Ints]:
+def _merged(vertices: Float, triangles: Long, size: float) -> tuple[Float, Long]:
     """One point where several are in the same place (STL gives every triangle its own)."""
     from scipy.spatial import cKDTree
 
@@ -147,7 +144,7 @@ def _merged(vertices: Float, triangles: Ints, size: float) -> tuple[Float, Ints]
     return distinct[first], back[places.ravel()][triangles]
 
 
-def _without_degenerate(triangles: Ints, notes: list[str]) -> Ints:
+def _without_degenerate(triangles: Long, notes: list[str]) -> Long:
     a, b, c = triangles.T
     good = (a != b) & (b != c) & (c != a)
     if not good.all():
@@ -160,12 +157,12 @@ def _without_degenerate(triangles: Ints, notes: list[str]) -> Ints:
     return triangles
 
 
-def _crosses(vertices: Float, triangles: Ints) -> Float:
+def _crosses(vertices: Float, triangles: Long) -> Float:
     a, b, c = (vertices[triangles[:, k]] for k in range(3))
     return np.cross(b - a, c - a)
 
 
-def _volumes(vertices: Float, triangles: Ints, shell: Ints) -> Float:
+def _volumes(vertices: Float, triangles: Long, shell: Long) -> Float:
     """Signed volume of each shell, by the divergence theorem."""
     centred = vertices - vertices.mean(axis=0)
     a, b, c = (centred[triangles[:, k]] for k in range(3))
@@ -173,7 +170,7 @@ def _volumes(vertices: Float, triangles: Ints, shell: Ints) -> Float:
     return np.bincount(shell, weights=signed).astype(np.float64)
 
 
-def _turned(triangles: Ints, source: str) -> tuple[npt.NDArray[np.bool_], Ints]:
+def _turned(triangles: Long, source: str) -> tuple[Bool, Long]:
     """Which triangles to turn so that neighbours agree, and which shell each is of.
 
     Raises:
@@ -217,7 +214,7 @@ def _turned(triangles: Ints, source: str) -> tuple[npt.NDArray[np.bool_], Ints]:
     return turned.astype(np.bool_), shell.astype(np.int64)
 
 
-def _caps(vertices: Float, triangles: Ints, shell: Ints) -> tuple[Float, Ints, Ints, int]:
+def _caps(vertices: Float, triangles: Long, shell: Long) -> tuple[Float, Long, Long, int]:
     """Triangles that close every shell: cones over its boundary, each from the middle of its hole.
 
     The boundary of a chain of triangles is a cycle, whatever its form, so a cone over it closes the chain exactly.
@@ -247,7 +244,7 @@ def _caps(vertices: Float, triangles: Ints, shell: Ints) -> tuple[Float, Ints, I
     return np.concatenate([vertices, middle]), caps, owner, int(holes)
 
 
-def _inside(vertices: Float, triangles: Ints, shell: Ints, volumes: Float, which: int) -> bool:
+def _inside(vertices: Float, triangles: Long, shell: Long, volumes: Float, which: int) -> bool:
     """Whether a shell lies inside the solid of the positive shells, by the winding number of one of its corners.
 
     The solid angle of a triangle is that of van Oosterom and Strackee (1983).

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.body._body import Body
 from cotouch.body._checks import SumOfSquares, one_number
 from cotouch.body._material import Material
@@ -21,8 +21,6 @@ from cotouch.body._origin import Origin
 from cotouch.body._skin import Skin
 from cotouch.body._strains import SIGNS, frame_of, shares_of, strain_law, strains_of
 from cotouch.errors import BodyError
-
-Ints = npt.NDArray[np.int64]
 
 # Angular frequency of all strains [rad/s]: ω T / 2 = 1 at 1 ms. A body that spins at Ω is strained by (Ω / ω)²,
 # one of half side a that is accelerated by g by about g / (a ω²): 1e-4 at 20 rad/s, and of 5 cm under its weight.
@@ -33,7 +31,7 @@ VISCOSITY: Final = 5e-4
 _FLAT = 1e-4
 
 
-def moments_of(vertices: Float, triangles: Ints) -> tuple[float, Float, Float]:
+def moments_of(vertices: Float, triangles: Long) -> tuple[float, Float, Float]:
     """Volume [m³], centre [m] and `∫ (r - c)(r - c)ᵀ` of a solid, divided by its volume [m²].
 
     Args:
@@ -50,7 +48,7 @@ def moments_of(vertices: Float, triangles: Ints) -> tuple[float, Float, Float]:
     return volume, middle + first / volume, second / (120.0 * volume) - np.outer(first, first) / volume**2
 
 
-def moments_of_tetrahedra(rest: Float, elements: Ints) -> tuple[float, Float, Float]:
+def moments_of_tetrahedra(rest: Float, elements: Long) -> tuple[float, Float, Float]:
     """As `moments_of`, of a solid of tetrahedra.
 
     Args:

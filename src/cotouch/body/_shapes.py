@@ -7,14 +7,13 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial.transform import Rotation
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.body._body import Body
 from cotouch.body._checks import FARTHEST, one_number
 from cotouch.body._rigid import RATE, VISCOSITY, rigid_body
 from cotouch.errors import BodyError
 
-Ints = npt.NDArray[np.int64]
-Surface: TypeAlias = tuple[Float, Ints]
+Surface: TypeAlias = tuple[Float, Long]
 
 # More cells along a side make a skin that no step gets around in a millisecond.
 _MOST_CELLS: Final = 200
@@ -137,7 +136,7 @@ def rigid_sphere(
 def _made(
     name: str,
     vertices: Float,
-    triangles: Ints,
+    triangles: Long,
     volume: float,
     spread: Float,
     mass: float | None,
@@ -232,7 +231,7 @@ def box_surface(cells: npt.ArrayLike) -> Surface:
     """
     extents = np.asarray(cells, dtype=np.int64) + 1
     index = np.arange(int(np.prod(extents))).reshape(extents)
-    triangles: list[Ints] = []
+    triangles: list[Long] = []
     for axis in range(3):
         for side in (0, -1) if extents[axis] > 1 else (-1,):
             face = np.take(index, side, axis=axis)
@@ -258,7 +257,7 @@ def _cylinder_surface(around: int, along: int, rings: int) -> Surface:
     vertices += [np.array([[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]])]
     here = np.arange(around)
     there = np.roll(here, -1)
-    triangles: list[Ints] = []
+    triangles: list[Long] = []
     for level in range(len(levels) - 1):
         low, high = level * around, (level + 1) * around
         triangles.append(np.stack([low + here, low + there, high + there], axis=1))

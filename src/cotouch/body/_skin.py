@@ -9,10 +9,8 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.errors import BodyError
-
-Int = npt.NDArray[np.int32]
 
 # What the sum of a vertex's weights may be off by: they come from a division or from a file.
 _SUM = 1e-9

@@ -4,14 +4,11 @@ from dataclasses import dataclass
 from typing import Any, final
 
 import numpy as np
-import numpy.typing as npt
 import scipy.linalg as la
 import scipy.sparse as sp
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Index
 from cotouch.body._eigenspaces import canonical
-
-Nodes = npt.NDArray[np.intp]
 
 # Up to here a dense eigenvalue solve takes well under a second.
 _DENSE_ROWS = 600
@@ -49,7 +46,7 @@ class Statics:
     stiffness: sp.csr_array
     shift: float
     factors: Any
-    order: Nodes
+    order: Index
 
     def solve(self, rhs: Float) -> Float:
         """`(K + shift M)⁻¹ rhs`."""
@@ -121,7 +118,7 @@ def _node_graph(matrix: Any, axes: int) -> sp.csr_array:
     return sp.csr_array((np.ones(coo.nnz, np.int8), (coo.row // axes, coo.col // axes)), shape=(nodes, nodes))
 
 
-def _dissect(piece: Nodes, rest: Float, graph: sp.csr_array) -> list[Nodes]:
+def _dissect(piece: Index, rest: Float, graph: sp.csr_array) -> list[Index]:
     """Halves first, then the nodes that separate them."""
     if piece.size <= _LEAF:
         return [piece]

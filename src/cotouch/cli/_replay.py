@@ -5,8 +5,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.cli._output import literal, number, print_json
 from cotouch.units import user_number
 
@@ -186,7 +186,7 @@ def _summary(recording: "Recording") -> dict[str, Any]:
     }
 
 
-def _ages(age: npt.NDArray[np.float64]) -> dict[str, float | None]:
+def _ages(age: Float) -> dict[str, float | None]:
     known = age[np.isfinite(age)]
     if known.size == 0:
         return {"age_p50_s": None, "age_p99_s": None, "age_max_s": None}

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from math import inf
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Long
 from cotouch.device._models import CartesianPlant, DeviceModel, PhantomPlant, SimulatedHand
 from cotouch.device._phantom import phantom_potential
 from cotouch.device._tables import (
@@ -39,7 +39,7 @@ def _column(values: Sequence[float]) -> Float:
     return np.array(values, dtype=np.float64)
 
 
-def _integers(values: Sequence[int]) -> npt.NDArray[np.int64]:
+def _integers(values: Sequence[int]) -> Long:
     return np.array(values, dtype=np.int64)
 
 
@@ -141,7 +141,7 @@ def _start(models: Sequence[DeviceModel], devices: Devices) -> DeviceState:
     def numbers() -> Float:
         return np.zeros(count)
 
-    def integers() -> npt.NDArray[np.int64]:
+    def integers() -> Long:
         return np.zeros(count, dtype=np.int64)
 
     return DeviceState(

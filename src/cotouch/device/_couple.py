@@ -13,9 +13,8 @@ from math import inf
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.device._advance import advance
 from cotouch.device._hand import LANES
 from cotouch.device._tables import (
@@ -48,8 +47,6 @@ from cotouch.mechanics import (
 )
 from cotouch.passing import by_address
 
-Int = npt.NDArray[np.int64]
-
 
 @by_address
 class Couplings(NamedTuple):
@@ -73,7 +70,7 @@ class Couplings(NamedTuple):
         unpaid: of a virtual coupling: what the false part of its force can have done on the proxy, (tools,) [J].
     """
 
-    device: Int
+    device: Long
     origin: Float
     stiffness: Float
     damping: Float
@@ -82,7 +79,7 @@ class Couplings(NamedTuple):
     target: Float
     unsure: Float
     ends: Float
-    address: Int
+    address: Long
     work: Float
     excess: Float
     unpaid: Float

@@ -7,13 +7,8 @@ forces of the tip are in the frame of the package: x forward, y left, z up. All 
 
 from typing import NamedTuple
 
-import numpy as np
-import numpy.typing as npt
-
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.passing import by_address
-
-Int = npt.NDArray[np.int64]
 
 # Kinds of plant.
 CARTESIAN, PHANTOM = range(2)
@@ -83,7 +78,7 @@ class Plants(NamedTuple):
         substep: longest step of the integrator, (devices,) [s].
     """
 
-    kind: Int
+    kind: Long
     mass: Float
     viscous: Float
     coulomb: Float
@@ -118,12 +113,12 @@ class Servos(NamedTuple):
     resolution: Float
     force: Float
     torque: Float
-    law: Int
-    address: Int
+    law: Long
+    address: Long
     stiffness: Float
     damping: Float
-    lag: Int
-    latency: Int
+    lag: Long
+    latency: Long
     declared: Float
     rest: Float
 
@@ -159,7 +154,7 @@ class Grasps(NamedTuple):
     reaction: Float
     correction: Float
     reach: Float
-    path_first: Int
+    path_first: Long
     path_time: Float
     path_value: Float
     amplitude: Float
@@ -227,7 +222,7 @@ class DeviceState(NamedTuple):
     ledger: Float
     time: Float
     next_tick: Float
-    ticks: Int
+    ticks: Long
     coordinate: Float
     momentum: Float
     tip: Float
@@ -239,16 +234,16 @@ class DeviceState(NamedTuple):
     resting: Float
     history: Float
     history_time: Float
-    oldest: Int
-    holding: Int
+    oldest: Long
+    holding: Long
     equilibrium: Float
     offset: Float
     grasped: Float
     corrected: Float
     urge: Float
     recall: Float
-    recalled: Int
-    cursor: Int
+    recalled: Long
+    cursor: Long
 
 
 # A reaction time is kept as this many errors.

@@ -11,7 +11,7 @@ from typing import Any, final
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.hands._ball import Ball, ball_table
 from cotouch.hands._blade import Blade, blade_table
 from cotouch.hands._led import LedTool
@@ -336,7 +336,7 @@ class CommandedHand:
         moved = moved[:, 0] if self._model.full else moved[0, : self._axes]
         return (rest + moved).tolist()
 
-    def _rows(self, node: int) -> npt.NDArray[np.int32]:
+    def _rows(self, node: int) -> Int:
         """As `Model.port_rows`, which sorts all rows each time."""
         own = node * self._each + np.arange(self._each)
         return (own if self._order is None else self._order[own]).astype(np.int32)

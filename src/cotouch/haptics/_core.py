@@ -5,9 +5,7 @@ from collections.abc import Sequence
 from math import inf, isfinite
 from typing import NamedTuple, final
 
-import numpy as np
-import numpy.typing as npt
-
+from cotouch.arrays import Float
 from cotouch.device import DeviceSpec
 from cotouch.haptics._device import DeviceReading, Flag
 from cotouch.haptics._ends import WINDOW, DeviceEnd, EndOptions, checked
@@ -315,12 +313,12 @@ class ServoCore:
             self._pressed = None
 
 
-def _vector(array: Sequence[float] | npt.NDArray[np.float64]) -> Vector:
+def _vector(array: Sequence[float] | Float) -> Vector:
     x, y, z = array
     return float(x), float(y), float(z)
 
 
-def _orientation(given: npt.NDArray[np.float64] | None) -> Quaternion | None:
+def _orientation(given: Float | None) -> Quaternion | None:
     """As it is handed on: a unit quaternion, or none."""
     if given is None:
         return None

@@ -3,11 +3,11 @@
 from collections.abc import Callable
 from math import inf
 from pathlib import Path
-from typing import Any, Final, final
+from typing import Final, final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Array
 from cotouch.errors import InputError
 from cotouch.haptics._core import Order, ServoReport
 from cotouch.haptics._device import Flag
@@ -15,8 +15,6 @@ from cotouch.haptics._ends import EndOptions
 from cotouch.haptics._safety import Cause, Vector
 from cotouch.mailbox import MailboxReader, MailboxWriter
 from cotouch.mechanics import EnergyMessage
-
-Array = npt.NDArray[Any]
 
 REPORT: Final = "report"
 ORDER: Final = "order"

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Complex, Float
 from cotouch.errors import ScenarioError, UnsupportedError
 from cotouch.interrupt import interruptible
 from cotouch.laboratory._cells import many
@@ -20,7 +20,6 @@ from cotouch.simulation import Prepared, facts_of, given_law, prepare, run_prepa
 if TYPE_CHECKING:
     import xarray as xr
 
-Complex = npt.NDArray[np.complex128]
 Others = Literal["free", "holding"]
 
 # The band of what hands do and feel [Hz], and up to where drag, mass and stiffness are read.

@@ -15,11 +15,10 @@ from collections.abc import Callable
 from ctypes import PYFUNCTYPE, c_void_p
 from functools import cached_property
 from pathlib import Path
-from typing import Any, NamedTuple, TypeAlias, final
+from typing import Any, NamedTuple, final
 
 import numba
 import numpy as np
-import numpy.typing as npt
 from llvmlite import ir
 from numba.core import cgutils, types
 from numba.core.types.function_type import CompileResultWAP
@@ -27,9 +26,8 @@ from numba.core.typing.templates import AttributeTemplate, infer_getattr
 from numba.extending import lower_getattr_generic, models, register_model
 from numba.np.arrayobj import populate_array
 
+from cotouch.arrays import Float
 from cotouch.compiled import intrinsic, stamped
-
-Float: TypeAlias = npt.NDArray[np.float64]
 
 
 class End(NamedTuple):

@@ -6,7 +6,8 @@ from typing import Any, TypeVar
 
 import numba
 
-from cotouch.laws._end import End, Float
+from cotouch.arrays import Float
+from cotouch.laws._end import End
 from cotouch.mechanics import Ports, at, inner, kernel, put
 
 F = TypeVar("F", bound=Callable[..., Any])

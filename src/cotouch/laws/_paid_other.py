@@ -1,6 +1,7 @@
 """What an end of `paid` knows of the neighbour's hand and of this copy's past, and what it tells the neighbour."""
 
-from cotouch.laws._end import End, Float
+from cotouch.arrays import Float
+from cotouch.laws._end import End
 from cotouch.laws._helper import helper
 from cotouch.laws._paid_fields import (
     A2,

@@ -8,10 +8,7 @@ balance goes less far, and no other group notices.
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false
 
-import numpy as np
-import numpy.typing as npt
-
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.mechanics._balance import HAVE, NOISE, PASSED, TARGET, close, square_of
 from cotouch.mechanics._balance_groups import (
     ABOUT,
@@ -31,8 +28,6 @@ from cotouch.mechanics._meeting import Parts
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import Links, Ports, State, Workspace
 from cotouch.mechanics._vector import at, load, put, splat, store, total
-
-Int = npt.NDArray[np.int32]
 
 
 @part

@@ -13,16 +13,13 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.errors import BodyError
 from cotouch.mechanics._contact_law import press
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._vector import at
 from cotouch.passing import by_address
-
-Int = npt.NDArray[np.int32]
 
 # A triangle whose sine at a corner is smaller than the root of this is a line.
 _FLAT = 1e-24

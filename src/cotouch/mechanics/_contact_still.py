@@ -4,15 +4,12 @@
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.mechanics._contact_patch import press_triangle
 from cotouch.mechanics._contact_relief import Relief, bare, press_relief
 from cotouch.mechanics._contact_snap import draw_triangle
 from cotouch.mechanics._kernel import block
-
-Int = npt.NDArray[np.int32]
 
 
 def press_skin(

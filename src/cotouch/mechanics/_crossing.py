@@ -3,13 +3,8 @@
 
 import math
 
-import numpy as np
-import numpy.typing as npt
-
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.mechanics._kernel import block, part
-
-Int = npt.NDArray[np.int32]
 
 
 @block

@@ -10,10 +10,7 @@ user who decided it. A set of cut elements only grows, so copies agree by taking
 import math
 from typing import NamedTuple
 
-import numpy as np
-import numpy.typing as npt
-
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.mechanics._balance import AT_WORLD, ENERGY
 from cotouch.mechanics._balance_parts import keep_parts
 from cotouch.mechanics._breaking import principal_stress
@@ -27,8 +24,6 @@ from cotouch.mechanics._vector import at, put
 from cotouch.mechanics._world import World
 from cotouch.mechanics._world_cut import keep_depths, meet_anew, show
 from cotouch.passing import by_address
-
-Int = npt.NDArray[np.int32]
 
 # Slower than this a blade creeps under less than what would cut [m/s].
 _SLOW = 1e-3

@@ -5,17 +5,14 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.body import FACES, Body, Material, cut_skin
 from cotouch.errors import UnsupportedError
 from cotouch.mechanics._breaking import SOLIDS
 from cotouch.mechanics._cutting import KINDS, WIDEST, Cutting
 from cotouch.mechanics._materials import gradients_of, lame_of
 from cotouch.mechanics._model import Model
-
-Int = npt.NDArray[np.int32]
 
 # Edges of an element by its number of corners: pairs that stretch.
 EDGES = {
@@ -148,7 +145,7 @@ def _faces(body: Body, material: Material, first: int) -> dict[str, Any]:
     }
 
 
-def _areas(body: Body, elements: npt.NDArray[np.int64], length: Float) -> Float:
+def _areas(body: Body, elements: Long, length: Float) -> Float:
     """What a cut through each element lays open: a square as long as its edge, or of its volume, (E,) [m²]."""
     if elements.shape[1] == 4:
         edges = body.rest[elements[:, 1:]] - body.rest[elements[:, :1]]

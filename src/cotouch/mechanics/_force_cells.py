@@ -7,10 +7,7 @@ The rotations of four cubes are found at a time, each in one lane; places and fo
 
 from typing import NamedTuple
 
-import numpy as np
-import numpy.typing as npt
-
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.mechanics._force_memory import FIRST, before_row, is_cut, scratch_row
 from cotouch.mechanics._force_ties import pull_ties, weigh_ties
 from cotouch.mechanics._fours import elements, keep_before, keep_rotations, rotations
@@ -30,8 +27,6 @@ from cotouch.mechanics._matrix3 import (
 )
 from cotouch.mechanics._vector import at, load, store, total
 from cotouch.passing import by_address
-
-Int = npt.NDArray[np.int32]
 
 
 @by_address

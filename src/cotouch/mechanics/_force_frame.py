@@ -8,10 +8,7 @@ open, p = m X is taken, and the force has what the turning of R adds. Without tu
 
 from typing import NamedTuple
 
-import numpy as np
-import numpy.typing as npt
-
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.mechanics._force_memory import FIRST, before_row, columns, keep
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import (
@@ -27,8 +24,6 @@ from cotouch.mechanics._matrix3 import (
 )
 from cotouch.mechanics._vector import at, put
 from cotouch.passing import by_address
-
-Int = npt.NDArray[np.int32]
 
 
 @by_address

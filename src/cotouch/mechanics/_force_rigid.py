@@ -9,16 +9,12 @@ law gives its true tangent, `lean`: a few looks then meet the mean force to roun
 
 from typing import NamedTuple
 
-import numpy as np
-import numpy.typing as npt
-
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import Matrix, mixture, product, symmetric, transposed_product
 from cotouch.mechanics._vector import at, put
 from cotouch.passing import by_address
 
-Int = npt.NDArray[np.int32]
 _Six = tuple[float, float, float, float, float, float]
 
 

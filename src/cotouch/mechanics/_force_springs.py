@@ -4,17 +4,13 @@
 
 from typing import NamedTuple
 
-import numpy as np
-import numpy.typing as npt
-
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.mechanics._fours import Quad, add_rows, apart, as_rows, elements, four_rows, kept, take_rows
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import Vector
 from cotouch.mechanics._vector import FOUR, at, load, root, splat, total, where
 from cotouch.passing import by_address
 
-Int = npt.NDArray[np.int32]
 # Rows of a block of four springs.
 ROWS = 5
 

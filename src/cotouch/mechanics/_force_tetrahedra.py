@@ -12,11 +12,9 @@ and the sums are here. Four tetrahedra are worked out at a time, each in one lan
 
 from typing import Any, NamedTuple
 
-import numpy as np
-import numpy.typing as npt
 from numba.extending import overload
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.mechanics._force_memory import FIRST, before_row
 from cotouch.mechanics._force_ties import pull_ties, weigh_ties
 from cotouch.mechanics._fours import (
@@ -51,7 +49,6 @@ from cotouch.mechanics._matrix3 import (
 from cotouch.mechanics._vector import FOUR, load, splat, total, where
 from cotouch.passing import by_address
 
-Int = npt.NDArray[np.int32]
 # Rows of a block of four tetrahedra.
 ROWS = 12
 # Sweeps in which the rotation at the end of a step is found, at most.

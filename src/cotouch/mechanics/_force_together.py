@@ -14,18 +14,16 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 from numba.core import types
 from numba.extending import overload
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.mechanics._force import LAWS, LEANS, evaluate, lean, resist
 from cotouch.mechanics._force_memory import forget, fresh_memory, take_back
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._vector import at, put
 from cotouch.passing import by_address
 
-Int = npt.NDArray[np.int32]
 # Numbers at the head of a memory.
 _HEAD = 4
 

@@ -7,15 +7,13 @@ from collections.abc import Sequence
 from typing import TypeAlias
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.mechanics._force_memory import is_cut
 from cotouch.mechanics._kernel import inner
 from cotouch.mechanics._matrix3 import Matrix, Vector
 from cotouch.mechanics._vector import FOUR, at, four, load, splat, store, transposed
 
-Int = npt.NDArray[np.int32]
 # Four elements, or the rows of four nodes.
 Quad: TypeAlias = tuple[int, int, int, int]
 # And what a field has there, each a vector.

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.body import SIGNS, Body, Material, Part, SumOfSquares, frame_of, strain_law
 from cotouch.errors import UnsupportedError
 from cotouch.mechanics._force import BodyForce
@@ -22,8 +22,6 @@ from cotouch.mechanics._meeting import Parts
 from cotouch.mechanics._meeting_skin import parts_of
 from cotouch.mechanics._state import numbered
 from cotouch.mechanics._tool_bodies import rigid_rows
-
-Int = npt.NDArray[np.int32]
 
 _SOLIDS = {"corotated": CorotatedTetrahedra, "st-venant-kirchhoff": StVenantKirchhoff, "neo-hookean": NeoHookean}
 

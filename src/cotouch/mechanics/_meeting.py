@@ -4,14 +4,9 @@ import math
 from dataclasses import dataclass
 from typing import NamedTuple, final
 
-import numpy as np
-import numpy.typing as npt
-
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.errors import BodyError
 from cotouch.passing import by_address
-
-Int = npt.NDArray[np.int32]
 
 
 @final

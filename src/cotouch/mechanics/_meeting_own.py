@@ -1,15 +1,12 @@
 """Which triangles of its own body a point of the skin does not meet: those that are near through the body itself."""
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 from scipy.sparse.csgraph import dijkstra
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.body import Body, Part
 from cotouch.errors import BodyError
-
-Int = npt.NDArray[np.int32]
 
 # Ways within the body shorter than so many of its middle edges lead to what is no other part; and how deep another part
 # may come, in such edges: a body squashed to a third of itself still does not meet its far side.

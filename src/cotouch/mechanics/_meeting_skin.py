@@ -4,18 +4,15 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int, Long
 from cotouch.body import Body, CutSkin
 from cotouch.mechanics._meeting import Between, Meeting, Met, Parts
 from cotouch.mechanics._meeting_own import own_of, unmet
 from cotouch.mechanics._shape_solid import Solid
 from cotouch.mechanics._tool_bodies import copies_of, rigid_rows
 from cotouch.mechanics._world import Obstacle
-
-Int = npt.NDArray[np.int32]
 
 _LEAF = 4
 # Room for triangles near points: so many a point, and for all triangles so many times.
@@ -217,7 +214,7 @@ def _shares(corners: Sequence[Float], copies: Float) -> Float:
 
 def _tree(centre: Float, first_box: int, first: int) -> tuple[Int, Int]:
     """Boxes by halving at the median of the longest side, parents before children; numbers are those of all bodies."""
-    leaf: npt.NDArray[np.int64] = np.arange(centre.shape[0], dtype=np.int64)
+    leaf: Long = np.arange(centre.shape[0], dtype=np.int64)
     child: list[list[int]] = [[0, 0]]
     waiting = [(0, 0, centre.shape[0])]
     while waiting:

@@ -9,7 +9,7 @@ import numpy.typing as npt
 import scipy.linalg as la
 import scipy.sparse as sp
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.body import Body, Material, Matrix, Truncation, canonical
 from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._force import BodyForce
@@ -25,7 +25,6 @@ from cotouch.mechanics._vector import WIDTHS
 from cotouch.mechanics._world import Obstacle, solids_of
 from cotouch.mechanics._world_points import world_of
 
-Int = npt.NDArray[np.int32]
 Basis = Literal["auto", "nodal", "modal"]
 
 # Up to this many rows "auto" tries the modal basis. Each hand and each recorded node reads a whole row of modes there:

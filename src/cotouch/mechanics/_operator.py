@@ -3,16 +3,13 @@
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 from scipy.sparse import csgraph
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.mechanics._kernel import inner, kernel
 from cotouch.mechanics._vector import at, load, splat, store, total
 from cotouch.passing import by_address
-
-Int = npt.NDArray[np.int32]
 
 # Rows of `Operator.mix`; the weights follow.
 MASS, DAMPING, STIFFNESS, WEIGHTS = 0, 1, 2, 3

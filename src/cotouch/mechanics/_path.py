@@ -5,20 +5,19 @@
 from typing import Protocol
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int, Long
 from cotouch.mechanics._kernel import inner
 from cotouch.mechanics._vector import at, load, put
 
-Int = npt.NDArray[np.int32] | npt.NDArray[np.int64]
+Whole = Int | Long
 
 
 class Paths(Protocol):
     """Paths of many hands; any table with these columns, as numba sees it."""
 
     @property
-    def path_first(self) -> Int:
+    def path_first(self) -> Whole:
         """First waypoint of each path, (paths + 1,)."""
         ...
 
@@ -49,7 +48,7 @@ class Paths(Protocol):
 
 
 @inner
-def path_place(paths: Paths, cursor: Int, p: int, t: float, lanes: tuple[int, ...]) -> float:
+def path_place(paths: Paths, cursor: Whole, p: int, t: float, lanes: tuple[int, ...]) -> float:
     """Where path p is at time t, a row; kernels only.
 
     Args:

@@ -5,10 +5,8 @@ from typing import final
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.errors import BodyError
-
-Int = npt.NDArray[np.int32]
 
 
 @final

@@ -4,13 +4,10 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int, Long
 from cotouch.mechanics._operator import WEIGHTS, Operator
 from cotouch.passing import by_address
-
-Int = npt.NDArray[np.int32]
 
 # What a step books, in order. The first four are work during the step [J], the next two energies after it [J]. Then
 # three are of a closed step: work of the closure on the end velocity [J], |β - 1|, and the share of the step given up.
@@ -60,7 +57,7 @@ class Links(NamedTuple):
 
     strength: Float
     weight: Int
-    slot: npt.NDArray[np.int64]
+    slot: Long
     samples: Float
     brake: Float = _NO_BRAKE
     push: Float = _NO_PUSH

@@ -10,10 +10,9 @@ and the shapes' spread within it widens it, a bound that holds for every motion 
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.body import Body, cut_skin
 from cotouch.errors import BodyError
 from cotouch.mechanics._contact_relief import Relief, bare
@@ -21,8 +20,6 @@ from cotouch.mechanics._kernel import block
 from cotouch.mechanics._model import Model
 from cotouch.mechanics._vector import FOUR, at, load, lower, splat, store, upper
 from cotouch.passing import by_address
-
-Int = npt.NDArray[np.int32]
 
 _LEAF = 4
 # Triangles at which a truncated body's missing compliance is worked out.

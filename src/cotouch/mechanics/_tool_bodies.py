@@ -6,10 +6,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.body import Body, pulls_of
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Meeting
@@ -20,7 +19,7 @@ if TYPE_CHECKING:
     from cotouch.mechanics._model import Model
 
 
-def rigid_rows(body: Body, order: npt.NDArray[np.int32] | None) -> npt.NDArray[np.int32]:
+def rigid_rows(body: Body, order: Int | None) -> Int:
     """Rows of the kernels that are solved for at once: of rigid bodies, where there are only such, or tools that are.
 
     Args:

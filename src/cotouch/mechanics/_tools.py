@@ -3,12 +3,9 @@
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.passing import by_address
-
-Int = npt.NDArray[np.int32]
 
 # What a tool does with the body.
 AWAY, TOUCH, GRASP, BLADE = 0, 1, 2, 3

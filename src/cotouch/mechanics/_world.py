@@ -5,18 +5,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, final
 
-import numpy as np
-import numpy.typing as npt
-
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.body import Body
 from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._meeting import Meeting
 from cotouch.mechanics._shape import Shape, packed
 from cotouch.mechanics._shape_solid import Solid
 from cotouch.passing import by_address
-
-Int = npt.NDArray[np.int32]
 
 
 @final

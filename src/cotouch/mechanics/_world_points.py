@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.body import Body, CutSkin, cut_skin
 from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._meeting import Between
@@ -18,7 +18,6 @@ from cotouch.mechanics._state import numbered
 from cotouch.mechanics._tool_bodies import copies_of, rigid_rows
 from cotouch.mechanics._world import Obstacle, World, solids_of
 
-Int = npt.NDArray[np.int32]
 Corners: TypeAlias = npt.NDArray[np.int64]
 
 # Points of a skin are no farther apart than this share of the thinnest obstacle, and no more than so many.

@@ -5,8 +5,8 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.control import ControlPlane, Message
 from cotouch.errors import SessionError
 from cotouch.mechanics import Model
@@ -74,7 +74,7 @@ class Member:
         coordinator: Coordinator | None = None,
         recorder: StepRecorder | None = None,
         pace: Callable[[], Mapping[str, float]] = dict,
-        delays: Callable[[], npt.NDArray[np.float64]] | None = None,
+        delays: Callable[[], Float] | None = None,
         device: Callable[[], str] = str,
         place: Callable[[], Place | None] | None = None,
     ) -> None:

@@ -5,9 +5,8 @@ from dataclasses import dataclass
 from typing import Self, final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Bool, Float
 from cotouch.control import ControlPlane
 from cotouch.members import _keys
 from cotouch.members._file import SessionFile
@@ -67,7 +66,7 @@ class Neighbour:
     guard: LinkGuard | None
     law: LawLink | None
     budget: BudgetAgreement
-    known: npt.NDArray[np.bool_] | slice
+    known: Bool | slice
     connected: bool = False
     silent: bool = False
     guarded: int = 0

@@ -12,11 +12,11 @@ import hashlib
 from typing import Annotated, final
 
 import numpy as np
-import numpy.typing as npt
 from cryptography.exceptions import InvalidSignature
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PublicKey
 from pydantic import StringConstraints
 
+from cotouch.arrays import Bool, Int
 from cotouch.control import ControlPlane
 from cotouch.members._messages import Key, Roster, Signature, Slot, read, write
 from cotouch.members._shared_model import SharedModel
@@ -36,8 +36,6 @@ _MOST_AUTHORS = 256
 _LOOKS = 20.0
 _CONTEXT = b"cotouch cuts 1\0"
 _MOST_ELEMENTS = 1 << 20
-
-Bool = npt.NDArray[np.bool_]
 
 
 @final
@@ -243,7 +241,7 @@ class SharedCuts:
         return True
 
 
-def digest_of(by: npt.NDArray[np.int32]) -> str:
+def digest_of(by: Int) -> str:
     """64 bits that tell one set of cut elements from another, as hex digits.
 
     Args:

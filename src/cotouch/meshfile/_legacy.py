@@ -6,7 +6,8 @@ from typing import BinaryIO, Final
 
 import numpy as np
 
-from cotouch.meshfile._mesh import Float, Ints, Mesh
+from cotouch.arrays import Long
+from cotouch.meshfile._mesh import Float, Mesh
 
 _HEAD: Final = 4096
 _VTK_TYPES: Final = {
@@ -56,8 +57,8 @@ def gmsh_1(path: Path) -> Mesh:
     numbers = table[:, 0].astype(np.int64)
     order = np.argsort(numbers)
     words = np.array(_section(text, b"ELM", b"ENDELM"), dtype=np.int64)
-    elements: list[Ints] = []
-    groups: dict[int, list[Ints]] = {}
+    elements: list[Long] = []
+    groups: dict[int, list[Long]] = {}
     at = 1
     for _ in range(int(words[0])):
         if at + 5 > words.size or words[at + 4] < 1 or at + 5 + words[at + 4] > words.size:
@@ -84,7 +85,7 @@ def _section(text: bytes, begin: bytes, end: bytes) -> list[bytes]:
     return words
 
 
-def _places(numbers: Ints, order: Ints, wanted: Ints) -> Ints:
+def _places(numbers: Long, order: Long, wanted: Long) -> Long:
     """Where in the table the nodes of these numbers are."""
     at = np.searchsorted(numbers, wanted, sorter=order)
     places = order[np.minimum(at, order.size - 1)]
@@ -103,7 +104,7 @@ def polydata(path: Path) -> Mesh:
         lines = [file.readline() for _ in range(3)]
         packed = lines[2].strip().upper() == b"BINARY"
         points = np.zeros((0, 3))
-        triangles: list[Ints] = []
+        triangles: list[Long] = []
         while line := file.readline():
             words = line.decode("latin-1").split()
             section = words[0].upper() if words else ""
@@ -123,7 +124,7 @@ def polydata(path: Path) -> Mesh:
     return Mesh(points=points, elements=found)
 
 
-def _lists(file: BinaryIO, packed: bool, words: list[str]) -> list[Ints]:
+def _lists(file: BinaryIO, packed: bool, words: list[str]) -> list[Long]:
     """Indices of each cell: as count and members in turn, or since version 5 as offsets and members."""
     count, size = int(words[1]), int(words[2])
     before = file.tell()
@@ -131,7 +132,7 @@ def _lists(file: BinaryIO, packed: bool, words: list[str]) -> list[Ints]:
     if not head or head[0].upper() != "OFFSETS":
         file.seek(before)
         values = _numbers(file, packed, "int", size).astype(np.int64)
-        cells: list[Ints] = []
+        cells: list[Long] = []
         at = 0
         for _ in range(count):
             if at >= size or not 0 <= values[at] < size - at:
@@ -155,7 +156,7 @@ def _rest_of_line(file: BinaryIO) -> None:
         file.seek(before)
 
 
-def _numbers(file: BinaryIO, packed: bool, kind: str, count: int) -> Float | Ints:
+def _numbers(file: BinaryIO, packed: bool, kind: str, count: int) -> Float | Long:
     form = np.dtype(_VTK_TYPES[kind.lower()])
     if packed:
         found = np.frombuffer(file.read(count * form.itemsize), dtype=form)
@@ -174,13 +175,13 @@ def _words(file: BinaryIO, count: int) -> list[bytes]:
     return words
 
 
-def _fan(corners: Ints) -> Ints:
+def _fan(corners: Long) -> Long:
     """Triangles of a polygon, (n - 2, 3)."""
     first = np.broadcast_to(corners[:1], max(len(corners) - 2, 0))
     return np.column_stack([first, corners[1:-1], corners[2:]])
 
 
-def strip(corners: Ints) -> Ints:
+def strip(corners: Long) -> Long:
     """Triangles of a strip, (n - 2, 3): every other one is turned, so that all look to the same side."""
     found = np.column_stack([corners[:-2], corners[1:-1], corners[2:]])
     found[1::2, :2] = found[1::2, 1::-1]

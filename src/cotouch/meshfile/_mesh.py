@@ -4,12 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Final, final
 
-import numpy as np
-import numpy.typing as npt
-
-from cotouch.arrays import Float
-
-Ints = npt.NDArray[np.int64]
+from cotouch.arrays import Float, Long
 
 SURFACES: Final = (".stl", ".obj", ".ply", ".off", ".glb")
 VOLUMES: Final = (".vtk", ".vtu", ".msh", ".mesh")
@@ -28,6 +23,6 @@ class Mesh:
     """
 
     points: Float
-    elements: Ints
-    sets: Mapping[str, Ints] = field(default_factory=dict[str, Ints])
+    elements: Long
+    sets: Mapping[str, Long] = field(default_factory=dict[str, Long])
     notes: tuple[str, ...] = ()

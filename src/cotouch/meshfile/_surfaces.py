@@ -9,9 +9,10 @@ from typing import Any, BinaryIO, Final
 
 import numpy as np
 
+from cotouch.arrays import Long
 from cotouch.errors import BodyError
 from cotouch.meshfile._legacy import polydata, strip
-from cotouch.meshfile._mesh import Float, Ints, Mesh
+from cotouch.meshfile._mesh import Float, Mesh
 from cotouch.meshfile._promises import check, too_many
 
 # Formats that say how many faces they have; a polygon becomes more triangles, never fewer.
@@ -49,12 +50,12 @@ def read(path: Path, most: int) -> Mesh:
     return Mesh(points=points, elements=triangles)
 
 
-def _vtk(path: Path) -> tuple[Float, Ints]:
+def _vtk(path: Path) -> tuple[Float, Long]:
     mesh = polydata(path)
     return mesh.points, mesh.elements
 
 
-def _by_library(path: Path) -> tuple[Float, Ints]:
+def _by_library(path: Path) -> tuple[Float, Long]:
     import trimesh
 
     kind = path.suffix.lower()[1:]
@@ -89,7 +90,7 @@ def _stl(file: BinaryIO) -> BinaryIO:
     return io.BytesIO(text)
 
 
-def _strips(file: BinaryIO) -> tuple[Float, Ints]:
+def _strips(file: BinaryIO) -> tuple[Float, Long]:
     """Triangles of the strips of a PLY file; -1 ends a strip."""
     from trimesh.exchange.ply import load_ply
 

@@ -7,9 +7,10 @@ from typing import Any, Final
 
 import numpy as np
 
+from cotouch.arrays import Long
 from cotouch.errors import BodyError
 from cotouch.meshfile._legacy import gmsh_1, is_gmsh_1, vtk_kind
-from cotouch.meshfile._mesh import Ints, Mesh
+from cotouch.meshfile._mesh import Mesh
 from cotouch.meshfile._promises import check, too_many
 
 # Of marks that number cells; a file with more has them for something else.
@@ -76,9 +77,9 @@ def _checked(mesh: Mesh, most: int) -> Mesh:
     return mesh
 
 
-def _sets(read: Any, blocks: list[tuple[str, Ints]], points: int, notes: list[str]) -> dict[str, Ints]:
+def _sets(read: Any, blocks: list[tuple[str, Long]], points: int, notes: list[str]) -> dict[str, Long]:
     """Points of every set that the file names: node sets, cell sets, physical groups, marks on points."""
-    found: dict[str, Ints] = {}
+    found: dict[str, Long] = {}
     for name, members in read.point_sets.items():
         found[str(name)] = np.unique(np.asarray(members, dtype=np.int64))
     for name, members in read.cell_sets.items():

@@ -7,10 +7,10 @@ from typing import Literal, TypeAlias, final
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float, Long
 from cotouch.errors import NetworkError
 from cotouch.network._checks import numbers, one_user
 from cotouch.network._network import Network
-from cotouch.network._types import FloatArray, IntArray
 
 Basis: TypeAlias = Literal["age", "index"]
 
@@ -41,8 +41,8 @@ class AgeSums:
         basis: what the sums were made from.
     """
 
-    seconds: FloatArray
-    fractions: FloatArray
+    seconds: Float
+    fractions: Float
     basis: Basis
 
 
@@ -82,7 +82,7 @@ def age_sums_of(
     return AgeSums((steps + steps.T) / 2 * np.outer(root, root), root, "index")
 
 
-def check_periods(network: Network, periods: npt.ArrayLike) -> FloatArray:
+def check_periods(network: Network, periods: npt.ArrayLike) -> Float:
     """Periods (N,) in s from one number for all or one for each; finite and above 0.
 
     Args:
@@ -102,7 +102,7 @@ def check_periods(network: Network, periods: npt.ArrayLike) -> FloatArray:
     return values
 
 
-def index_delays_of(network: Network, index_delay: npt.ArrayLike | None, periods: FloatArray) -> IntArray:
+def index_delays_of(network: Network, index_delay: npt.ArrayLike | None, periods: Float) -> Long:
     """Index delays (N, N), 0 off the links: those given, or those that the common period makes of the delays.
 
     Args:
@@ -125,7 +125,7 @@ def index_delays_of(network: Network, index_delay: npt.ArrayLike | None, periods
     return steps.astype(np.int64)
 
 
-def _pairwise(network: Network, name: str, values: npt.ArrayLike, unit: str) -> FloatArray:
+def _pairwise(network: Network, name: str, values: npt.ArrayLike, unit: str) -> Float:
     """(N, N) numbers, finite and at least 0 on the links, 0 elsewhere."""
     matrix = numbers(name, values)
     size = network.size

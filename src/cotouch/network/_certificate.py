@@ -6,12 +6,12 @@ from typing import Literal, TypeAlias, final
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.network._age_sums import AgeSums, Basis, age_sums_of, check_periods, index_delays_of
 from cotouch.network._damping import Method, damping_for, method_fractions, minimax_fractions
 from cotouch.network._exact import exact_scaling
 from cotouch.network._gains import coefficients, damping_matrices, inverse_roots, link_matrices, single_weight
 from cotouch.network._network import Network
-from cotouch.network._types import FloatArray
 
 Mode: TypeAlias = Literal["constant", "self-paced", "freshest"]
 
@@ -64,11 +64,11 @@ class Certificate:
     basis: Basis
     covers: str
     modes: tuple[Mode, ...]
-    damping: FloatArray
+    damping: Float
     holds: bool
     margin: float
-    user_margin: FloatArray | None
-    link_margin: FloatArray | None
+    user_margin: Float | None
+    link_margin: Float | None
 
 
 def certify(
@@ -123,11 +123,11 @@ def certify(
     return result
 
 
-_Margins: TypeAlias = tuple[float, FloatArray | None, FloatArray | None]
+_Margins: TypeAlias = tuple[float, Float | None, Float | None]
 
 
 def _certificate(
-    method: Method | Literal["weighted"], age_sums: AgeSums, beta: FloatArray, margins: _Margins
+    method: Method | Literal["weighted"], age_sums: AgeSums, beta: Float, margins: _Margins
 ) -> Certificate:
     covers, modes = _COVERS["exact" if method == "exact" else age_sums.basis]
     margin, user, link = margins
@@ -144,7 +144,7 @@ def _certificate(
     )
 
 
-def _check_fractions(network: Network, age_sums: AgeSums, beta: FloatArray, d: FloatArray) -> _Margins:
+def _check_fractions(network: Network, age_sums: AgeSums, beta: Float, d: Float) -> _Margins:
     """Each user's damping against what the rule with weights d asks of it, as matrices."""
     own, springs = damping_matrices(network, beta), link_matrices(network)
     fractions = age_sums.seconds * d / d[:, None]
@@ -162,7 +162,7 @@ def _check_fractions(network: Network, age_sums: AgeSums, beta: FloatArray, d: F
     return float(user.min()), user, growth
 
 
-def _relative_norm(own: FloatArray, need: FloatArray) -> FloatArray:
+def _relative_norm(own: Float, need: Float) -> Float:
     """Largest eigenvalue of `own^(-1/2) need own^(-1/2)` for every user; 0 where nothing is needed."""
     ratio = np.zeros(len(own))
     root = inverse_roots(own)
@@ -172,13 +172,13 @@ def _relative_norm(own: FloatArray, need: FloatArray) -> FloatArray:
     return ratio
 
 
-def _least_ratio(spare: FloatArray, unit: FloatArray) -> float:
+def _least_ratio(spare: Float, unit: Float) -> float:
     """Largest t with `spare - t unit` still positive semidefinite."""
     root = inverse_roots(unit[None])[0]
     return float(np.linalg.eigvalsh(root @ spare @ root)[0])
 
 
-def _check_best(network: Network, age_sums: AgeSums, beta: FloatArray) -> _Margins:
+def _check_best(network: Network, age_sums: AgeSums, beta: Float) -> _Margins:
     """Whether any weights are known to do: all of them where one spring weight serves all, else three good choices."""
     best = _check_weighted(network, age_sums, beta)
     if single_weight(network, beta) is None:
@@ -188,7 +188,7 @@ def _check_best(network: Network, age_sums: AgeSums, beta: FloatArray) -> _Margi
     return best
 
 
-def _check_weighted(network: Network, age_sums: AgeSums, beta: FloatArray) -> _Margins:
+def _check_weighted(network: Network, age_sums: AgeSums, beta: Float) -> _Margins:
     """Whether any weights d make `B_i >= sum_j reach_ij K_ij d_j/d_i`.
 
     With `Q_ij = reach_ij |B_i^(-1/2) K_ij B_j^(-1/2)|` they exist where the Perron eigenvalue of Q is at most 1 (and

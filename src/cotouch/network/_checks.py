@@ -6,8 +6,9 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float, Long
 from cotouch.errors import NetworkError, printable
-from cotouch.network._types import FloatArray, IntArray, Pair
+from cotouch.network._types import Pair
 from cotouch.units import user_number
 
 # A difference this small beside the larger of two numbers is the round-off of whoever computed them.
@@ -17,9 +18,9 @@ _ROUND_OFF = 1e-12
 class Springs(NamedTuple):
     """Springs in the stored form: `K_ij = strength[i, j] * weights[weight_of[i, j]]`, -1 being the identity."""
 
-    strength: FloatArray
-    weights: tuple[FloatArray, ...]
-    weight_of: IntArray
+    strength: Float
+    weights: tuple[Float, ...]
+    weight_of: Long
 
 
 def one_user(users: Sequence[str], i: int) -> str:
@@ -71,7 +72,7 @@ def check_users(users: Iterable[str]) -> tuple[str, ...]:
     return names
 
 
-def check_delay(users: tuple[str, ...], delay: npt.ArrayLike) -> FloatArray:
+def check_delay(users: tuple[str, ...], delay: npt.ArrayLike) -> Float:
     """Delays in seconds, (N, N), entry [i][j] from j to i: finite, at least 0, and 0 on the diagonal.
 
     Args:
@@ -106,7 +107,7 @@ def check_springs(users: tuple[str, ...], spring: npt.ArrayLike, weight: npt.Arr
     size = len(users)
     if matrix.shape == (size, size):
         strength = _scalar_springs(users, matrix)
-        weights: tuple[FloatArray, ...] = ()
+        weights: tuple[Float, ...] = ()
         weight_of = np.full((size, size), -1, dtype=np.int64)
         if weight is not None:
             unit = numbers("weight", weight)
@@ -127,9 +128,7 @@ def check_springs(users: tuple[str, ...], spring: npt.ArrayLike, weight: npt.Arr
     )
 
 
-def check_links(
-    users: tuple[str, ...], strength: FloatArray, links: Iterable[Sequence[int]] | None
-) -> tuple[Pair, ...]:
+def check_links(users: tuple[str, ...], strength: Float, links: Iterable[Sequence[int]] | None) -> tuple[Pair, ...]:
     """Links as sorted pairs of indices; None means every pair with a spring.
 
     Args:
@@ -169,7 +168,7 @@ def _pair(users: tuple[str, ...], link: Sequence[int]) -> Pair:
     return (i, j) if i < j else (j, i)
 
 
-def _scalar_springs(users: tuple[str, ...], matrix: FloatArray) -> FloatArray:
+def _scalar_springs(users: tuple[str, ...], matrix: Float) -> Float:
     for i, j in np.argwhere(~(np.isfinite(matrix) & (matrix >= 0))):
         raise NetworkError(
             f"spring between {two_users(users, i, j)} is {matrix[i, j]:g} N/m; it must be finite and at least 0"
@@ -186,12 +185,12 @@ def _scalar_springs(users: tuple[str, ...], matrix: FloatArray) -> FloatArray:
     return matrix / 2 + matrix.T / 2
 
 
-def _matrix_springs(users: tuple[str, ...], blocks: FloatArray) -> Springs:
+def _matrix_springs(users: tuple[str, ...], blocks: Float) -> Springs:
     """Splits every matrix into its mean eigenvalue and a unit matrix, and keeps each unit matrix once."""
     size, rows = blocks.shape[0], blocks.shape[2]
     strength = np.zeros((size, size))
     weight_of = np.full((size, size), -1, dtype=np.int64)
-    units: list[FloatArray] = []
+    units: list[Float] = []
     for i in range(size):
         if np.any(blocks[i, i]):
             raise NetworkError(
@@ -217,7 +216,7 @@ def _matrix_springs(users: tuple[str, ...], blocks: FloatArray) -> Springs:
     return Springs(strength, tuple(units), weight_of)
 
 
-def _unit_index(unit: FloatArray, units: list[FloatArray]) -> int:
+def _unit_index(unit: Float, units: list[Float]) -> int:
     if np.allclose(unit, np.eye(len(unit)), rtol=0, atol=_ROUND_OFF):
         return -1
     for index, known in enumerate(units):
@@ -227,7 +226,7 @@ def _unit_index(unit: FloatArray, units: list[FloatArray]) -> int:
     return len(units) - 1
 
 
-def _spd(name: str, matrix: FloatArray) -> FloatArray:
+def _spd(name: str, matrix: Float) -> Float:
     if not np.all(np.isfinite(matrix)):
         raise NetworkError(f"{name} has an entry that is not finite; every entry must be a finite number")
     for p, q in np.argwhere(np.abs(matrix - matrix.T) > _ROUND_OFF * np.abs(matrix).max()):
@@ -244,7 +243,7 @@ def _spd(name: str, matrix: FloatArray) -> FloatArray:
     return matrix / 2 + matrix.T / 2
 
 
-def numbers(name: str, values: npt.ArrayLike) -> FloatArray:
+def numbers(name: str, values: npt.ArrayLike) -> Float:
     """A copy of real numbers, [row for each user]; what Python would count as some, such as true, is refused.
 
     Args:
@@ -267,5 +266,5 @@ def _has_truth(values: object) -> bool:
     return isinstance(values, bool) or (isinstance(values, list | tuple) and any(map(_has_truth, values)))  # pyright: ignore[reportUnknownArgumentType]
 
 
-def _shape(array: FloatArray) -> str:
+def _shape(array: Float) -> str:
     return " x ".join(str(extent) for extent in array.shape) if array.ndim else "a single number"

@@ -5,12 +5,12 @@ Every user keeps its own past only as long as somebody still uses it, so short d
 
 import numpy as np
 
-from cotouch.network._types import ComplexArray, FloatArray
+from cotouch.arrays import Complex, Float
 
 
 def generator_eigenvalues(
-    inertia: FloatArray, drag: FloatArray, stiffness: FloatArray, coupling: FloatArray, delay: FloatArray, *, order: int
-) -> ComplexArray:
+    inertia: Float, drag: Float, stiffness: Float, coupling: Float, delay: Float, *, order: int
+) -> Complex:
     """Eigenvalues of the discretised generator of `m x'' + c x' + kappa x = sum_j K_ij x_j(t - d_ij)`.
 
     Args:
@@ -54,7 +54,7 @@ def _degree(history: float, longest: float, order: int) -> int:
     return max(int(np.ceil(order * np.sqrt(history / longest))), 3)
 
 
-def _chebyshev(degree: int) -> tuple[FloatArray, FloatArray]:
+def _chebyshev(degree: int) -> tuple[Float, Float]:
     """Chebyshev points of the second kind from 1 to -1, and their barycentric weights."""
     if degree == 0:
         return np.ones(1), np.ones(1)
@@ -63,7 +63,7 @@ def _chebyshev(degree: int) -> tuple[FloatArray, FloatArray]:
     return np.cos(np.pi * np.arange(degree + 1) / degree), weights.astype(np.float64)
 
 
-def _differentiation(points: FloatArray, weights: FloatArray) -> FloatArray:
+def _differentiation(points: Float, weights: Float) -> Float:
     apart = points[:, None] - points[None, :] + np.eye(len(points))
     matrix = weights[None, :] / weights[:, None] / apart
     np.fill_diagonal(matrix, 0.0)
@@ -71,7 +71,7 @@ def _differentiation(points: FloatArray, weights: FloatArray) -> FloatArray:
     return matrix
 
 
-def _interpolation(points: FloatArray, weights: FloatArray, at: float) -> FloatArray:
+def _interpolation(points: Float, weights: Float, at: float) -> Float:
     apart = at - points
     hit = np.abs(apart) < 1e-14
     if hit.any():

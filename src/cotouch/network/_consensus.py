@@ -6,13 +6,13 @@ from typing import final
 
 import numpy as np
 
+from cotouch.arrays import Float, Long
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.interrupt import check
 from cotouch.network._lags import Convention, Rounding, consensus_lags, cycle_period
 from cotouch.network._loop import Loop, loop_of
 from cotouch.network._network import Network
 from cotouch.network._resonance import slowest
-from cotouch.network._types import FloatArray, IntArray
 
 # Largest lifted matrix for the dense fallback: below ten seconds.
 _DENSE_ROWS = 3000
@@ -69,7 +69,7 @@ def mixing(
     return Mixing(value=value, period=period, time_constant_s=-time_unit / math.log(value) if value > 0 else 0.0)
 
 
-def lifted_matrix(weights: FloatArray, lags: IntArray) -> FloatArray:
+def lifted_matrix(weights: Float, lags: Long) -> Float:
     """The chain as one square matrix, keeping of each user only the history that others still need.
 
     Args:
@@ -91,7 +91,7 @@ def lifted_matrix(weights: FloatArray, lags: IntArray) -> FloatArray:
     return matrix
 
 
-def _second_modulus(network: Network, lags: IntArray, time_unit: float) -> float:
+def _second_modulus(network: Network, lags: Long, time_unit: float) -> float:
     """Second largest |eigenvalue| of an aperiodic chain."""
     loop = consensus_loop(network, lags, time_unit)
     root, certain, _ = slowest(loop, math.pi / time_unit, np.zeros(0, dtype=np.complex128))
@@ -108,7 +108,7 @@ def _second_modulus(network: Network, lags: IntArray, time_unit: float) -> float
     return float(np.sort(np.abs(np.linalg.eigvals(matrix)))[-2])
 
 
-def consensus_loop(network: Network, lags: IntArray, time_unit: float) -> Loop:
+def consensus_loop(network: Network, lags: Long, time_unit: float) -> Loop:
     """The consensus model as a loop without masses, whose delays are the lags times the time unit.
 
     Args:

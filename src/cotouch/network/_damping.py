@@ -13,15 +13,15 @@ from typing import Literal, TypeAlias, TypeVar, get_args
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import NetworkError
 from cotouch.network._age_sums import AgeSums, age_sums_of, check_periods, index_delays_of
 from cotouch.network._checks import numbers, one_user
 from cotouch.network._exact import exact_scaling
 from cotouch.network._network import Network
-from cotouch.network._types import FloatArray
 
 # One link, or many.
-Amount = TypeVar("Amount", float, FloatArray)
+Amount = TypeVar("Amount", float, Float)
 
 Method: TypeAlias = Literal["rule", "minimax", "sum", "exact"]
 
@@ -45,7 +45,7 @@ def damping_for(
     periods: npt.ArrayLike | None = None,
     costs: npt.ArrayLike | None = None,
     weights: npt.ArrayLike | None = None,
-) -> FloatArray:
+) -> Float:
     """Smallest damping that a method certifies: (N, 1 + number of weights) Ns/m, see the head of this module.
 
     Args:
@@ -90,7 +90,7 @@ def damping_for(
 
 def method_fractions(
     network: Network, age_sums: AgeSums, method: Method, *, costs: npt.ArrayLike | None = None
-) -> FloatArray:
+) -> Float:
     """Weights d (N,) of a method that is not "exact".
 
     Of "sum": every link adds `reach_ij K_ij (c_i d_j/d_i + c_j d_i/d_j)`, at least `2 reach_ij K_ij sqrt(c_i c_j)`, and
@@ -116,7 +116,7 @@ def rule_damping(
     ages: npt.ArrayLike | None = None,
     index_delay: npt.ArrayLike | None = None,
     periods: npt.ArrayLike | None = None,
-) -> FloatArray:
+) -> Float:
     """The plain rule [Lee & Huang 2010, Theorem 1], and the age rule in its likeness; arguments as for `damping_for`.
 
     Index delays: `B_i = sum_j (N_ij + N_ji)/2 T_j K_ij`; ages: `B_i = sum_j (age_ij + age_ji)/2 K_ij`.
@@ -130,7 +130,7 @@ def rule_damping(
     return damping_for(network, "rule", ages=ages, index_delay=index_delay, periods=periods)
 
 
-def shared(network: Network, age_sums: AgeSums, d: FloatArray) -> FloatArray:
+def shared(network: Network, age_sums: AgeSums, d: Float) -> Float:
     """The rule with damping moved between the ends of links: coefficients of `B_i = sum_j reach_ij K_ij d_j/d_i`.
 
     Any weights are valid, because only `c_ij c_ji` of a link's two shares matters and d cancels in it (see `Reach`);
@@ -148,7 +148,7 @@ def shared(network: Network, age_sums: AgeSums, d: FloatArray) -> FloatArray:
     return beta
 
 
-def minimax_fractions(network: Network, age_sums: AgeSums) -> FloatArray:
+def minimax_fractions(network: Network, age_sums: AgeSums) -> Float:
     """Perron vector of `reach_ij K_ij` in every connected component: these weights make the largest `B_i` smallest.
 
     With `G_ij = reach_ij K_ij` the users of a connected component all get `B_i = (G d)_i / d_i = lambda`, the Perron
@@ -172,7 +172,7 @@ def minimax_fractions(network: Network, age_sums: AgeSums) -> FloatArray:
     return d
 
 
-def _positive(network: Network, name: str, values: npt.ArrayLike) -> FloatArray:
+def _positive(network: Network, name: str, values: npt.ArrayLike) -> Float:
     array = numbers(name, values)
     if array.shape != (network.size,):
         raise NetworkError(f"{name} has shape {array.shape}; it must be ({network.size},), one for each user")

@@ -8,6 +8,7 @@ from typing import final
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Complex, Float
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.interrupt import check
 from cotouch.network._checks import one_user
@@ -16,7 +17,6 @@ from cotouch.network._damping import link_damping
 from cotouch.network._loop import Loop, characteristic, loop_of
 from cotouch.network._network import Network
 from cotouch.network._rightmost import rightmost
-from cotouch.network._types import ComplexArray, FloatArray
 
 # Degree of the first collocation over the longest delay, for what the walk along a line does not settle by itself.
 _FIRST_ORDER = 10
@@ -43,8 +43,8 @@ class Decay:
 
     root: complex
     residual: float
-    mode: ComplexArray
-    sync_damping: FloatArray
+    mode: Complex
+    sync_damping: Float
 
     @property
     def rate(self) -> float:
@@ -106,7 +106,7 @@ def rightmost_root(
     return Decay(root=root, residual=float(sizes[-1] / terms), mode=right[-1].conj(), sync_damping=sync)
 
 
-def _guesses(loop: Loop) -> Iterator[ComplexArray]:
+def _guesses(loop: Loop) -> Iterator[Complex]:
     """Where the rightmost root may be: first no idea, then ever finer collocation."""
     yield np.zeros(0, dtype=np.complex128)
     coupling, delay = np.zeros((2, len(loop.mass), len(loop.mass)))
@@ -126,7 +126,7 @@ def closed_loop(
     damping: float = 0.0,
     stiffness: float = 0.0,
     sync_damping: npt.ArrayLike | None = None,
-) -> tuple[Loop, FloatArray]:
+) -> tuple[Loop, Float]:
     """The loop whose roots `rightmost_root` looks for, and the (N,) `B_i` in it; arguments and errors are the same.
 
     Args:

@@ -12,9 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cotouch.arrays import Complex, Float, Long
 from cotouch.compiled import routine, subroutine
 from cotouch.network._loop import Loop
-from cotouch.network._types import ComplexArray, FloatArray, IntArray
 
 # A user is kept where elimination leaves less than this share of its own term: bounds beyond it get too coarse. At 0.3
 # a walk past 100 users takes ten times as many steps.
@@ -33,12 +33,12 @@ class Cut(NamedTuple):
         other_root: likewise of the other one.
     """
 
-    order: IntArray
+    order: Long
     gone: int
-    begins: IntArray
-    later: IntArray
-    first_root: FloatArray
-    other_root: FloatArray
+    begins: Long
+    later: Long
+    first_root: Float
+    other_root: Float
 
 
 class Scratch(NamedTuple):
@@ -52,15 +52,15 @@ class Scratch(NamedTuple):
         inverse: F⁻¹, (n, n).
     """
 
-    matrix: ComplexArray
-    slope: ComplexArray
-    left: ComplexArray
-    moved: ComplexArray
-    inverse: ComplexArray
+    matrix: Complex
+    slope: Complex
+    left: Complex
+    moved: Complex
+    inverse: Complex
 
 
 @subroutine
-def _own_roots(loop: Loop, first: FloatArray, other: FloatArray) -> None:
+def _own_roots(loop: Loop, first: Float, other: Float) -> None:
     """Magnitudes of the roots of every `D_i` where both are real and at most 0; NaN where they are not real."""
     for i in range(len(loop.mass)):
         m, b, k = loop.mass[i], loop.drag[i], loop.rigid[i]
@@ -162,7 +162,7 @@ def scratch(size: int, kept: int) -> Scratch:
 
 
 @subroutine
-def _fill(loop: Loop, parts: Cut, s: complex, matrix: ComplexArray, slope: ComplexArray) -> None:
+def _fill(loop: Loop, parts: Cut, s: complex, matrix: Complex, slope: Complex) -> None:
     """G(s) and its slope, where elimination is going to look."""
     n = len(loop.mass)
     for a in range(parts.gone):
@@ -188,7 +188,7 @@ def _fill(loop: Loop, parts: Cut, s: complex, matrix: ComplexArray, slope: Compl
 
 
 @subroutine
-def invert(matrix: ComplexArray, inverse: ComplexArray) -> complex:
+def invert(matrix: Complex, inverse: Complex) -> complex:
     """Inverts (Gauss-Jordan, pivots by rows); the phase of the determinant, 0 where it is singular.
 
     Real and imaginary parts lie apart, so that the loops become vector instructions.
@@ -291,9 +291,7 @@ def evaluate(loop: Loop, parts: Cut, s: complex, room: Scratch) -> tuple[complex
 
 
 @subroutine
-def largest(
-    loop: Loop, parts: Cut, line: float, frequency: float, aside: float, matrix: FloatArray, out: FloatArray
-) -> bool:
+def largest(loop: Loop, parts: Cut, line: float, frequency: float, aside: float, matrix: Float, out: Float) -> bool:
     """Majorant of what elimination adds to the users kept, `H = D - F`, on a line beyond a frequency.
 
     With θ = `aside` its derivatives in θ at 0 bound those of H in s, entry by entry, at any `σ + iω` with ω at least

@@ -22,6 +22,7 @@ from typing import final
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Complex, Float, Long
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.interrupt import check
 from cotouch.network._age_sums import check_periods, index_delays_of
@@ -33,7 +34,6 @@ from cotouch.network._gains import (
     single_weight,
 )
 from cotouch.network._network import Network
-from cotouch.network._types import ComplexArray, FloatArray, IntArray
 
 # What is returned is never on the wrong side of the truth, and at most this far from it, relative to the scale of C.
 TOLERANCE = 1e-11
@@ -62,22 +62,22 @@ class _Family:
         constant: (N, r, r) block diagonal.
     """
 
-    ends: IntArray
-    blocks: FloatArray
-    norms: FloatArray
-    forth: IntArray
-    back: IntArray
+    ends: Long
+    blocks: Float
+    norms: Float
+    forth: Long
+    back: Long
     period: float
-    constant: FloatArray
+    constant: Float
 
-    def top(self, theta: FloatArray) -> FloatArray:
+    def top(self, theta: Float) -> Float:
         """Largest eigenvalue at every angle."""
         size, rows = self.constant.shape[:2]
         chunk = max(1, _BATCH // (size * rows) ** 2)
         parts = [np.linalg.eigvalsh(-self.matrices(theta[k : k + chunk]))[:, -1] for k in range(0, len(theta), chunk)]
         return np.concatenate(parts).astype(np.float64)
 
-    def matrices(self, theta: FloatArray) -> ComplexArray:
+    def matrices(self, theta: Float) -> Complex:
         """`C(theta) + constant`: (len(theta), N r, N r)."""
         size, rows = self.constant.shape[:2]
         half = theta[:, None] / 2
@@ -93,7 +93,7 @@ class _Family:
             matrix[:, j, :, i, :] = block.conj().transpose(0, 2, 1)
         return matrix.reshape(len(theta), size * rows, size * rows)
 
-    def bounds(self, theta: FloatArray) -> tuple[FloatArray, FloatArray]:
+    def bounds(self, theta: Float) -> tuple[Float, Float]:
         """Bounds on the norms of C and of C'' at all angles from each theta to pi."""
         half = theta[:, None] / 2
         a, b = self.forth.astype(np.float64), self.back.astype(np.float64)
@@ -105,7 +105,7 @@ class _Family:
         bend = np.minimum(near, np.where(half > 0, far, np.inf))
         return self._row_sums(size), self._row_sums(bend)
 
-    def _row_sums(self, values: FloatArray) -> FloatArray:
+    def _row_sums(self, values: Float) -> Float:
         """Largest row sum of the symmetric matrices with `T/2 |K_ij| values`, which bounds their spectral norm."""
         values = self.period / 2 * self.norms * values
         rows = np.zeros((len(values), len(self.constant)))
@@ -170,7 +170,7 @@ def sync_hermitian(
     index_delay: npt.ArrayLike | None = None,
     period: float,
     damping: npt.ArrayLike,
-) -> ComplexArray:
+) -> Complex:
     """H(theta) at the given angles: (len(theta), N r, N r) Ns/m; other arguments and errors as for `exact_scaling`.
 
     Where one weight serves all links and all damping, r = 1 and the matrices are to be multiplied by that weight.

@@ -8,13 +8,13 @@ An array `beta` of shape (N, 1 + number of weights) in Ns/m stands for
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import NetworkError
 from cotouch.network._checks import numbers, one_user
 from cotouch.network._network import Network
-from cotouch.network._types import FloatArray
 
 
-def coefficients(network: Network, damping: npt.ArrayLike) -> FloatArray:
+def coefficients(network: Network, damping: npt.ArrayLike) -> Float:
     """Damping as (N, 1 + number of weights), from that form or from (N,) where one weight (or none) serves all links.
 
     Args:
@@ -48,7 +48,7 @@ def coefficients(network: Network, damping: npt.ArrayLike) -> FloatArray:
     return values
 
 
-def damping_matrices(network: Network, damping: npt.ArrayLike, *, rows: int | None = None) -> FloatArray:
+def damping_matrices(network: Network, damping: npt.ArrayLike, *, rows: int | None = None) -> Float:
     """`B_i` as matrices (N, rows, rows) in Ns/m; `rows` is that of the weights, or 1, unless given.
 
     Args:
@@ -64,7 +64,7 @@ def damping_matrices(network: Network, damping: npt.ArrayLike, *, rows: int | No
     return np.einsum("iw,wpq->ipq", beta, units)
 
 
-def link_matrices(network: Network) -> FloatArray:
+def link_matrices(network: Network) -> Float:
     """`K_ij` of every link as matrices (links, r, r) in N/m, with r = 1 where no spring has a weight."""
     rows = network.weight_rows or 1
     units = np.stack([np.eye(rows), *network.weights])
@@ -73,7 +73,7 @@ def link_matrices(network: Network) -> FloatArray:
     return strength[:, None, None] * units[network.weight_of[ends[:, 0], ends[:, 1]] + 1]
 
 
-def single_weight(network: Network, beta: FloatArray) -> int | None:
+def single_weight(network: Network, beta: Float) -> int | None:
     """The one column of `beta` that all links and damping use, so that the problem is scalar; None if there is none.
 
     Args:
@@ -85,7 +85,7 @@ def single_weight(network: Network, beta: FloatArray) -> int | None:
     return (used.pop() if used else 0) if len(used) <= 1 else None
 
 
-def inverse_roots(matrices: FloatArray) -> FloatArray:
+def inverse_roots(matrices: Float) -> Float:
     """`B^(-1/2)` of SPD matrices (n, r, r); inf on the diagonal of those that are 0."""
     size, vectors = np.linalg.eigh(matrices)
     with np.errstate(divide="ignore"):

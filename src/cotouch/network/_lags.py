@@ -5,10 +5,10 @@ from typing import Literal, TypeAlias
 
 import numpy as np
 
+from cotouch.arrays import Long
 from cotouch.errors import NetworkError
 from cotouch.network._checks import one_user
 from cotouch.network._network import Network
-from cotouch.network._types import IntArray
 
 Convention: TypeAlias = Literal["equation", "matrix"]
 Rounding: TypeAlias = Literal["exact", "nearest", "up"]
@@ -17,7 +17,7 @@ Rounding: TypeAlias = Literal["exact", "nearest", "up"]
 _WHOLE = 1e-6
 
 
-def consensus_lags(network: Network, *, time_unit: float, convention: Convention, rounding: Rounding) -> IntArray:
+def consensus_lags(network: Network, *, time_unit: float, convention: Convention, rounding: Rounding) -> Long:
     """Lags (N, N) of the consensus model in time units, 0 where users are not linked.
 
     Args:
@@ -58,7 +58,7 @@ def consensus_lags(network: Network, *, time_unit: float, convention: Convention
     return lags
 
 
-def cycle_period(lags: IntArray) -> int:
+def cycle_period(lags: Long) -> int:
     """Greatest common divisor of the total lags of all directed cycles of a connected network.
 
     Exact: with the distance of every user along any tree of arcs, it is the gcd of `distance + lag - distance` over all

@@ -8,9 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cotouch.arrays import Complex, Float, Long
 from cotouch.interrupt import flag
 from cotouch.network._network import Network
-from cotouch.network._types import ComplexArray, FloatArray, IntArray
 
 
 class Loop(NamedTuple):
@@ -28,18 +28,18 @@ class Loop(NamedTuple):
         stop: searches end, uncertain, once this is raised, (1,); see `cotouch.interrupt`.
     """
 
-    mass: FloatArray
-    drag: FloatArray
-    rigid: FloatArray
-    first: IntArray
-    second: IntArray
-    spring: FloatArray
-    to_first: FloatArray
-    to_second: FloatArray
-    stop: IntArray
+    mass: Float
+    drag: Float
+    rigid: Float
+    first: Long
+    second: Long
+    spring: Float
+    to_first: Float
+    to_second: Float
+    stop: Long
 
 
-def loop_of(network: Network, *, mass: FloatArray, drag: FloatArray, ground: FloatArray) -> Loop:
+def loop_of(network: Network, *, mass: Float, drag: Float, ground: Float) -> Loop:
     """The loop that the links of a network close.
 
     Args:
@@ -63,7 +63,7 @@ def loop_of(network: Network, *, mass: FloatArray, drag: FloatArray, ground: Flo
     )
 
 
-def characteristic(loop: Loop, s: complex) -> ComplexArray:
+def characteristic(loop: Loop, s: complex) -> Complex:
     """G(s), (N, N).
 
     Args:

@@ -13,10 +13,11 @@ import numpy.typing as npt
 from scipy import sparse
 from scipy.sparse import csgraph
 
+from cotouch.arrays import Float, Long
 from cotouch.errors import NetworkError
 from cotouch.network import _checks, _file
 from cotouch.network._round_trips import delays_of_round_trips
-from cotouch.network._types import FloatArray, IntArray, Pair
+from cotouch.network._types import Pair
 from cotouch.units import user_number
 
 # A delay this little above a whole number of steps is round-off of its decimal fraction, not a further step.
@@ -42,11 +43,11 @@ class Network:
     """
 
     users: tuple[str, ...]
-    spring: FloatArray
-    delay: FloatArray
+    spring: Float
+    delay: Float
     links: tuple[Pair, ...]
-    weights: tuple[FloatArray, ...]
-    weight_of: IntArray
+    weights: tuple[Float, ...]
+    weight_of: Long
 
     def __init__(
         self,
@@ -241,23 +242,23 @@ class Network:
         """Users linked to user i, ascending."""
         return tuple(sorted(b if a == i else a for a, b in self.links if i in (a, b)))
 
-    def adjacency(self) -> IntArray:
+    def adjacency(self) -> Long:
         """(N, N), 1 where two users are linked."""
         matrix = np.zeros((self.size, self.size), dtype=np.int64)
         for i, j in self.links:
             matrix[i, j] = matrix[j, i] = 1
         return matrix
 
-    def linked_spring(self) -> FloatArray:
+    def linked_spring(self) -> Float:
         """(N, N) strengths in N/m, 0 where two users are not linked."""
         return self.spring * self.adjacency()
 
-    def laplacian(self) -> IntArray:
+    def laplacian(self) -> Long:
         """Unweighted graph Laplacian (N, N) [Lee & Huang 2010, section II-A]."""
         adjacency = self.adjacency()
         return np.diag(adjacency.sum(axis=1)) - adjacency
 
-    def link_matrix(self, i: int, j: int) -> float | FloatArray:
+    def link_matrix(self, i: int, j: int) -> float | Float:
         """`K_ij` in N/m: a scalar where its weight is the identity, else an (r, r) matrix; 0 where there is no link.
 
         Args:
@@ -303,7 +304,7 @@ class Network:
         """Whether links join every user to every other, directly or through others."""
         return len(self.components()) == 1
 
-    def index_delays(self, period: float) -> IntArray:
+    def index_delays(self, period: float) -> Long:
         """Indexing delays `N_ij` (N, N) in steps of `period` seconds: rounded up, at least 1; 0 off the links.
 
         Raises:

@@ -7,10 +7,10 @@ together; those few windows are found first, for a fine grid almost as quickly a
 
 import numpy as np
 
+from cotouch.arrays import Complex, Long
 from cotouch.compiled import raised, routine, subroutine
 from cotouch.network._loop import Loop
 from cotouch.network._returns import Chain, arrive, bend_of, chain_of, excluded, on_line, simple, turn_of, value
-from cotouch.network._types import ComplexArray, IntArray
 from cotouch.network._walk import keep, polish, reciprocal, standing, walk
 from cotouch.network._windows import windows
 
@@ -49,7 +49,7 @@ def _detuning(loop: Loop, frequency: float) -> float:
 
 
 @routine
-def _count(loop: Loop, line: float, low: float, high: float, top: float, starts: ComplexArray) -> tuple[int, int, int]:
+def _count(loop: Loop, line: float, low: float, high: float, top: float, starts: Complex) -> tuple[int, int, int]:
     """Roots right of the line in one window (with their mirror images at 0 and at `top`); -1 if unclear."""
     turn, steps, count = walk(loop, line, low, high, _MOST_STEPS, starts)
     whole = -turn
@@ -64,7 +64,7 @@ def _count(loop: Loop, line: float, low: float, high: float, top: float, starts:
 
 
 @routine
-def slowest(loop: Loop, top: float, guesses: ComplexArray, enough: float = np.inf) -> tuple[complex, bool, int]:
+def slowest(loop: Loop, top: float, guesses: Complex, enough: float = np.inf) -> tuple[complex, bool, int]:
     """The rightmost root but s = 0 in one period `0 <= Im s <= top` of a connected, aperiodic loop without masses.
 
     Args:
@@ -97,7 +97,7 @@ def _further(reach: float, scale: float) -> float:
 
 
 @routine
-def _swift(loop: Loop, top: float, guesses: ComplexArray, enough: float) -> tuple[complex, bool, int]:
+def _swift(loop: Loop, top: float, guesses: Complex, enough: float) -> tuple[complex, bool, int]:
     """What `slowest` finds, by the returns to one user; uncertain where the line gets too far left for that."""
     longest = 0.0
     for e in range(len(loop.first)):
@@ -223,7 +223,7 @@ def none_beyond(loop: Loop, top: float, line: float) -> bool:
 
 
 @subroutine
-def _take(chain: Chain, start: complex, scale: float, top: float, known: ComplexArray, found: int) -> int:
+def _take(chain: Chain, start: complex, scale: float, top: float, known: Complex, found: int) -> int:
     """Takes up the root that Newton reaches if it is simple and new; returns the number known."""
     root, arrived = arrive(chain, start, scale, scale, known, found)
     if not arrived or not root.real > -1e3 * scale or found == len(known):
@@ -239,7 +239,7 @@ def _take(chain: Chain, start: complex, scale: float, top: float, known: Complex
 
 
 @subroutine
-def _expected(known: ComplexArray, found: int, line: float, low: float, high: float, top: float) -> int:
+def _expected(known: Complex, found: int, line: float, low: float, high: float, top: float) -> int:
     """How many of the known roots are right of the line in a window, mirror images at 0 and at `top` included."""
     mirrored, expected = low == 0.0 or high == top, 0
     for k in range(found):
@@ -281,7 +281,7 @@ def _folded(root: complex, top: float, scale: float) -> complex:
 
 
 @routine
-def _thorough(loop: Loop, top: float, guesses: ComplexArray, enough: float) -> tuple[complex, bool, int]:
+def _thorough(loop: Loop, top: float, guesses: Complex, enough: float) -> tuple[complex, bool, int]:
     """What `slowest` finds, for any line: by the turn of the whole determinant.
 
     Args:
@@ -385,9 +385,7 @@ def _thorough(loop: Loop, top: float, guesses: ComplexArray, enough: float) -> t
 
 
 @routine
-def _add(
-    loop: Loop, start: complex, scale: float, top: float, known: ComplexArray, copies: IntArray, found: int
-) -> int:
+def _add(loop: Loop, start: complex, scale: float, top: float, known: Complex, copies: Long, found: int) -> int:
     """Takes up the root that Newton reaches, folded into the first half period; returns the number known."""
     root, arrived = polish(loop, start, scale, known, copies, found)
     if not arrived or not root.real > -1e3 * scale:

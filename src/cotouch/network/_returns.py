@@ -14,9 +14,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cotouch.arrays import Complex, Float, Long
 from cotouch.compiled import raised, routine, subroutine
 from cotouch.network._loop import Loop
-from cotouch.network._types import ComplexArray, FloatArray, IntArray
 from cotouch.network._walk import reciprocal
 
 _NEWTON_STEPS = 40
@@ -47,16 +47,16 @@ class Chain(NamedTuple):
     """
 
     loop: Loop
-    place: IntArray
-    line: FloatArray
-    delay: FloatArray
-    size: FloatArray
-    real: FloatArray
-    imag: FloatArray
-    matrix: ComplexArray
-    left: ComplexArray
-    right: ComplexArray
-    room: ComplexArray
+    place: Long
+    line: Float
+    delay: Float
+    size: Float
+    real: Float
+    imag: Float
+    matrix: Complex
+    left: Complex
+    right: Complex
+    room: Complex
 
 
 @routine
@@ -117,7 +117,7 @@ def on_line(chain: Chain, line: float) -> None:
 
 
 @subroutine
-def _wave(delay: FloatArray, size: FloatArray, frequency: float, real: FloatArray, imag: FloatArray) -> None:
+def _wave(delay: Float, size: Float, frequency: float, real: Float, imag: Float) -> None:
     """`size e^(-i ω d)`, by series of the half angle: several at once, without a call each."""
     turn = frequency / (2.0 * np.pi)
     for e in range(len(delay)):
@@ -264,7 +264,7 @@ def _anchored(chain: Chain, line: float) -> bool:
 
 @subroutine
 def arrive(
-    chain: Chain, start: complex, scale: float, beyond: float, known: ComplexArray, found: int
+    chain: Chain, start: complex, scale: float, beyond: float, known: Complex, found: int
 ) -> tuple[complex, bool]:
     """Newton on f over the roots that are known; the present line changes.
 

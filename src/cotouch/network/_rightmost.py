@@ -2,11 +2,11 @@
 
 import numpy as np
 
+from cotouch.arrays import Complex, Long
 from cotouch.compiled import raised, routine, subroutine
 from cotouch.network._definite import definite, negatives
 from cotouch.network._elimination import cut
 from cotouch.network._loop import Loop
-from cotouch.network._types import ComplexArray, IntArray
 from cotouch.network._walk import keep, polish, standing, walk
 
 # Roots, and starts of Newton along one line, that are kept.
@@ -121,7 +121,7 @@ def definite_from(loop: Loop, line: float, high: float, near: float) -> float:
 
 @routine
 def count_right(
-    loop: Loop, line: float, starts: ComplexArray, whole: bool = True, most: int = _MOST_STEPS
+    loop: Loop, line: float, starts: Complex, whole: bool = True, most: int = _MOST_STEPS
 ) -> tuple[int, int, int]:
     """Number of roots right of a line, by the argument principle.
 
@@ -190,9 +190,7 @@ def _gap(loop: Loop, rate: float, widest: float, resting: int) -> float:
 
 
 @subroutine
-def _look_around(
-    loop: Loop, line: float, best: complex, scale: float, known: ComplexArray, copies: IntArray, found: int
-) -> int:
+def _look_around(loop: Loop, line: float, best: complex, scale: float, known: Complex, copies: Long, found: int) -> int:
     """Newton from points right of a root: pairs that just left the axis lie there; ends with the first one found."""
     for ahead in (0.97, 0.9, 0.8):
         for aside in (0.02, 0.08, 0.25):
@@ -208,7 +206,7 @@ def _look_around(
 
 
 @routine
-def rightmost(loop: Loop, resting: bool, guesses: ComplexArray) -> tuple[complex, bool, int]:
+def rightmost(loop: Loop, resting: bool, guesses: Complex) -> tuple[complex, bool, int]:
     """The rightmost root, the resting translation aside.
 
     Newton from the guesses gives a first root. A line just left of it is walked: the count of roots right of the line

@@ -7,14 +7,14 @@ from pathlib import Path
 
 import numpy as np
 
+from cotouch.arrays import Bool, Float
 from cotouch.errors import NetworkError
 from cotouch.files import read_text
-from cotouch.network._types import BoolArray, FloatArray
 
 _MOST_USERS = 2000
 
 
-def read_round_trips(path: str | Path) -> tuple[tuple[str, ...], FloatArray]:
+def read_round_trips(path: str | Path) -> tuple[tuple[str, ...], Float]:
     """A table of round trips in ms: the first row and column are names, an empty field was not measured.
 
     Returns:
@@ -59,7 +59,7 @@ def read_round_trips(path: str | Path) -> tuple[tuple[str, ...], FloatArray]:
 
 def delays_of_round_trips(
     paths: Sequence[str | Path], pick: Sequence[str], quantile: float
-) -> tuple[list[str], FloatArray, BoolArray]:
+) -> tuple[list[str], Float, Bool]:
     """Half of the round trip as the delay of each direction.
 
     Args:

@@ -4,10 +4,10 @@
 
 import numpy as np
 
+from cotouch.arrays import Complex, Float, Long
 from cotouch.compiled import raised, routine, subroutine
 from cotouch.network._elimination import REGULAR, Cut, Scratch, cut, evaluate, largest, scratch
 from cotouch.network._loop import Loop
-from cotouch.network._types import ComplexArray, FloatArray, IntArray
 
 # Spectral radius, at most, of what a step adds to the identity; radians, at most, by which its turn is uncertain.
 _SAFE, _UNCERTAIN = 0.8, 3.0
@@ -38,7 +38,7 @@ def reciprocal(value: complex) -> complex:
 
 @subroutine
 def _remainder(
-    loop: Loop, parts: Cut, line: float, frequency: float, wanted: float, matrix: FloatArray, out: FloatArray
+    loop: Loop, parts: Cut, line: float, frequency: float, wanted: float, matrix: Float, out: Float
 ) -> float:
     """Bounds F's departure from its tangent: over a step iτ, |τ| at most the reach, by `out` τ², entry by entry.
 
@@ -63,7 +63,7 @@ def _remainder(
 
 
 @subroutine
-def _stride(room: Scratch, bound: FloatArray, reach: float, spare: FloatArray) -> float:
+def _stride(room: Scratch, bound: Float, reach: float, spare: Float) -> float:
     """How far from here along the line the determinant surely keeps a clear phase.
 
     `F(s + iτ) = F(s) (I + iτ M + X R)` with `X = F(s)⁻¹`, `M = X F'(s)` and `|R| <= bound τ²`. As long as the spectral
@@ -125,7 +125,7 @@ def _stride(room: Scratch, bound: FloatArray, reach: float, spare: FloatArray) -
 
 
 @routine
-def walk(loop: Loop, line: float, low: float, high: float, most: int, starts: ComplexArray) -> tuple[float, int, int]:
+def walk(loop: Loop, line: float, low: float, high: float, most: int, starts: Complex) -> tuple[float, int, int]:
     """Turn of the determinant's phase from `line + i low` to `line + i high`, in steps that cannot lose a turn.
 
     Args:
@@ -198,9 +198,7 @@ def _standpoint(real: float, scale: float) -> float:
 
 
 @routine
-def polish(
-    loop: Loop, start: complex, scale: float, known: ComplexArray, copies: IntArray, found: int
-) -> tuple[complex, bool]:
+def polish(loop: Loop, start: complex, scale: float, known: Complex, copies: Long, found: int) -> tuple[complex, bool]:
     """Newton on the determinant over the roots that are known, from `start`.
 
     Args:
@@ -255,7 +253,7 @@ def polish(
 
 
 @routine
-def keep(loop: Loop, root: complex, scale: float, known: ComplexArray, copies: IntArray, found: int) -> int:
+def keep(loop: Loop, root: complex, scale: float, known: Complex, copies: Long, found: int) -> int:
     """Adds a root to those that are known, with the number of roots that coincide there; returns how many are known.
 
     The logarithmic derivative of the determinant around a point counts the roots in a small circle.

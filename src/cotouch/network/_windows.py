@@ -8,9 +8,9 @@ grid almost as quickly found as for a coarse one.
 
 import numpy as np
 
+from cotouch.arrays import Float
 from cotouch.compiled import raised, routine, subroutine
 from cotouch.network._loop import Loop
-from cotouch.network._types import FloatArray
 
 # Windows narrower than this, in radians of the slowest link's phase, are not divided further.
 _NARROW = 0.5
@@ -21,12 +21,12 @@ def _may_resonate(
     loop: Loop,
     low: float,
     high: float,
-    around: FloatArray,
-    sizes: FloatArray,
-    cross: FloatArray,
-    fraction: FloatArray,
-    entry: FloatArray,
-    matrix: FloatArray,
+    around: Float,
+    sizes: Float,
+    cross: Float,
+    fraction: Float,
+    entry: Float,
+    matrix: Float,
 ) -> bool:
     """Whether a root may lie right of the line between two frequencies.
 
@@ -63,7 +63,7 @@ def _may_resonate(
 
 
 @routine
-def _positive(matrix: FloatArray) -> bool:
+def _positive(matrix: Float) -> bool:
     """Whether a symmetric matrix (lower triangle, overwritten) is clearly positive definite, by its pivots."""
     n = len(matrix)
     for c in range(n):
@@ -82,7 +82,7 @@ def _positive(matrix: FloatArray) -> bool:
 
 
 @subroutine
-def _invert_real(matrix: FloatArray) -> None:
+def _invert_real(matrix: Float) -> None:
     """Inverts a small real matrix in place, without pivoting; what comes of it is held against Cholesky."""
     n = len(matrix)
     for c in range(n):
@@ -99,9 +99,7 @@ def _invert_real(matrix: FloatArray) -> None:
 
 
 @subroutine
-def _tolerances(
-    loop: Loop, sizes: FloatArray, cross: FloatArray, matrix: FloatArray, tolerance: FloatArray, fraction: FloatArray
-) -> None:
+def _tolerances(loop: Loop, sizes: Float, cross: Float, matrix: Float, tolerance: Float, fraction: Float) -> None:
     """For each link, how far its phase may be from resonance if all others resonate; π where that says nothing.
 
     With the other links at their largest, the matrix changes with this link in two entries only; its determinant is a
@@ -157,7 +155,7 @@ def _tolerances(
 
 
 @subroutine
-def _comb(lows: FloatArray, highs: FloatArray, count: int, around: float, tolerance: float, out: FloatArray) -> int:
+def _comb(lows: Float, highs: Float, count: int, around: float, tolerance: float, out: Float) -> int:
     """Cuts intervals down to where one link's phase is within its tolerance; -1 if there are too many of them."""
     made = 0
     for w in range(count):
@@ -177,9 +175,7 @@ def _comb(lows: FloatArray, highs: FloatArray, count: int, around: float, tolera
 
 
 @routine
-def windows(
-    loop: Loop, line: float, top: float, lows: FloatArray, highs: FloatArray, out: FloatArray
-) -> tuple[int, int]:
+def windows(loop: Loop, line: float, top: float, lows: Float, highs: Float, out: Float) -> tuple[int, int]:
     """Intervals of frequency outside which no root lies right of the line; their number, and that of the tests.
 
     Args:

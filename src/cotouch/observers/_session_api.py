@@ -12,12 +12,11 @@ from typing import Literal, NamedTuple, Protocol, final
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Single
 from cotouch.body import Body
 from cotouch.mechanics import Shape
 from cotouch.members import Pair, Roster, SessionEvent, Status
 from cotouch.observers._commands import Command, Doable, HandMode
-
-Single = npt.NDArray[np.float32]
 
 
 @final

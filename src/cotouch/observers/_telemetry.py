@@ -6,7 +6,7 @@ from typing import Any, Protocol, final
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long, Single
 from cotouch.mailbox import MailboxReader, MailboxWriter
 from cotouch.mechanics import Model
 from cotouch.members import Replica, SessionFile, SessionRecorder, SharedModel, StepRecorder, path_laws
@@ -111,9 +111,9 @@ class TelemetryPublisher:
         self._ports: list[int] = []
         self._hand: VisibleHand | None = None
         self._commanded = False  # whether the hand asks for requests by itself
-        self._order: npt.NDArray[np.int64] | None = None
+        self._order: Long | None = None
         self._model: Model | None = None
-        self._modes: npt.NDArray[np.float32] | None = None
+        self._modes: Single | None = None
         self._life = both_clocks()[1]
 
     # -- orders ------------------------------------------------------------------------------------------------------
@@ -278,7 +278,7 @@ class TelemetryPublisher:
             self._catch(copy, now)
         self._view.publish()
 
-    def _displaced(self, shown: list[tuple[Float, npt.NDArray[np.float32]]]) -> None:
+    def _displaced(self, shown: list[tuple[Float, Single]]) -> None:
         """As `Model.to_nodes`, of rows of several copies into what is there for each."""
         model, axes = self._model, shown[0][1].shape[1]
         assert model is not None

@@ -3,8 +3,8 @@
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float, Int
 from cotouch.errors import NetworkError
 from cotouch.mechanics import (
     BodyForce,
@@ -20,8 +20,6 @@ from cotouch.mechanics import (
     expose,
     sever,
 )
-
-Int = npt.NDArray[np.int32]
 
 
 @final
@@ -81,7 +79,7 @@ class CutSet:
         if contact is not None:
             expose(self._cutting, self._state.memory, contact.work.fit.hidden)
 
-    def end(self, op: Operator, step: int, ledger: npt.NDArray[np.float64]) -> None:
+    def end(self, op: Operator, step: int, ledger: Float) -> None:
         """After it: decides, and takes away what is to go.
 
         Args:

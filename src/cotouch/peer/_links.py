@@ -4,10 +4,7 @@ from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import NamedTuple, Protocol, TypeAlias, final
 
-import numpy as np
-import numpy.typing as npt
-
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 
 # Fields (fields, size) and numbers (scalars,) that a law tells a neighbour besides x̂; see `cotouch.laws.Law`.
 Message: TypeAlias = tuple[Float, Float]
@@ -68,7 +65,7 @@ class Sample:
     header: LinkHeader = PLAIN
     message: Message | None = None
     content: int | None = None
-    cuts: npt.NDArray[np.int32] | None = None
+    cuts: Int | None = None
 
 
 class Link(Protocol):

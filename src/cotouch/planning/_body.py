@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.errors import UnsupportedError
 from cotouch.mechanics import WEIGHTS, mixed, model
-from cotouch.planning._task import FloatArray
 
 # Dense matrices of more rows are not turned into modes unasked.
 _MOST_ROWS = 1024
@@ -13,7 +13,7 @@ _MOST_ROWS = 1024
 _NOTHING, _DIGITS = 1e-10, 10
 
 
-def modes_of(body: Body) -> dict[str, FloatArray]:
+def modes_of(body: Body) -> dict[str, Float]:
     """Mass [kg], damping [Ns/m] and stiffness [N/m] of each mode, to hand to `plan`: `plan(..., **modes_of(body))`.
 
     Springs between users join equal places of their copies, so in the modal basis they join equal modes. Each mode is

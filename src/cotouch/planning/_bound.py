@@ -15,11 +15,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cotouch.arrays import Bool, Float, Long
 from cotouch.compiled import routine, subroutine
 from cotouch.interrupt import check
 from cotouch.planning._problem import Problem
 from cotouch.planning._starts import random_choice
-from cotouch.planning._task import DRAG, NOTHING, BoolArray, FloatArray, IntArray, Task, admissible, drag_of, weight_of
+from cotouch.planning._task import DRAG, NOTHING, Task, admissible, drag_of, weight_of
 
 # Decisions between looks at the clock: about a tenth of a second.
 _SLICE = 100_000
@@ -43,12 +44,12 @@ class Dive(NamedTuple):
         counts: number of pairs decided, of choices reached, of decisions made; (3,).
     """
 
-    order: IntArray
-    cheapest: FloatArray
-    taken: BoolArray
-    values: FloatArray
-    choices: IntArray
-    counts: IntArray
+    order: Long
+    cheapest: Float
+    taken: Bool
+    values: Float
+    choices: Long
+    counts: Long
 
 
 def dive_into(problem: Problem, top: int) -> Dive:
@@ -71,7 +72,7 @@ def dive_into(problem: Problem, top: int) -> Dive:
 
 
 @subroutine
-def _joins(task: Task, dive: Dive, depth: int, group: IntArray, degree: IntArray, need: int) -> bool:
+def _joins(task: Task, dive: Dive, depth: int, group: Long, degree: Long, need: int) -> bool:
     """Whether `need` links of those left can still connect all users and give none too many."""
     n = task.size
     groups, fits = 0, 0
@@ -93,7 +94,7 @@ def _joins(task: Task, dive: Dive, depth: int, group: IntArray, degree: IntArray
 
 
 @subroutine
-def _relabel(group: IntArray, a: int, b: int) -> None:
+def _relabel(group: Long, a: int, b: int) -> None:
     """Makes one group of two; each goes by its smallest user."""
     low, high = min(a, b), max(a, b)
     for u in range(len(group)):
@@ -102,7 +103,7 @@ def _relabel(group: IntArray, a: int, b: int) -> None:
 
 
 @routine
-def _take(task: Task, e: int, damping: FloatArray, group: IntArray, degree: IntArray) -> None:
+def _take(task: Task, e: int, damping: Float, group: Long, degree: Long) -> None:
     """Takes one link up."""
     i, j = task.first[e], task.second[e]
     damping[i] += task.load[e]
@@ -205,7 +206,7 @@ def descend(task: Task, dive: Dive, ceiling: float, most: int, first: bool) -> b
     return False
 
 
-def any_choice(problem: Problem, most: float = np.inf) -> IntArray | None:
+def any_choice(problem: Problem, most: float = np.inf) -> Long | None:
     """Numbers of the pairs of some admissible choice; None if there is none, or none after so many decisions.
 
     Args:
@@ -218,7 +219,7 @@ def any_choice(problem: Problem, most: float = np.inf) -> IntArray | None:
     return dive.choices[0] if dive.counts[1] else None
 
 
-def some_choice(problem: Problem) -> IntArray | None:
+def some_choice(problem: Problem) -> Long | None:
     """Numbers of the pairs of some admissible choice; None if there is none, or none is found within tight limits."""
     chosen = random_choice(problem.task, np.random.default_rng(0))
     if chosen is not None or not has_room(problem):

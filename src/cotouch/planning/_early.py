@@ -8,21 +8,10 @@ from typing import Any, final
 import numpy as np
 from scipy.sparse.csgraph import connected_components
 
+from cotouch.arrays import Float, Long
 from cotouch.network import Network, Pair, generator_eigenvalues
 from cotouch.planning._problem import Problem, make_problem
-from cotouch.planning._task import (
-    CONSENSUS,
-    DAMPING,
-    DECAY,
-    DRAG,
-    FEEL,
-    LOST_LINK,
-    LOST_USER,
-    NOTHING,
-    FloatArray,
-    IntArray,
-    Task,
-)
+from cotouch.planning._task import CONSENSUS, DAMPING, DECAY, DRAG, FEEL, LOST_LINK, LOST_USER, NOTHING, Task
 
 # Choices up to which every one is tried; else so many networks about hubs, fewer beyond so many users.
 _ALL = 300
@@ -100,7 +89,7 @@ def _candidates(problem: Problem, rng: np.random.Generator) -> "Any":
             yield chosen
 
 
-def _about(problem: Problem, hubs: IntArray) -> IntArray | None:
+def _about(problem: Problem, hubs: Long) -> Long | None:
     """Every user linked to its nearest hub, then to further ones."""
     task = problem.task
     first: list[int] = task.first.tolist()
@@ -144,7 +133,7 @@ def _about(problem: Problem, hubs: IntArray) -> IntArray | None:
     return np.array(sorted(chosen), dtype=np.int64) if len(chosen) == problem.links else None
 
 
-def _admissible(task: Task, chosen: IntArray) -> bool:
+def _admissible(task: Task, chosen: Long) -> bool:
     """`_task.admissible` without a kernel."""
     ends = np.stack([task.first[chosen], task.second[chosen]])
     damping = np.bincount(ends.ravel(), np.tile(task.load[chosen], 2), task.size)
@@ -160,20 +149,20 @@ def _admissible(task: Task, chosen: IntArray) -> bool:
     return True
 
 
-def _drag(task: Task, chosen: IntArray) -> float:
+def _drag(task: Task, chosen: Long) -> float:
     """`_task.drag_of` without a kernel."""
     load, modes = float(task.load[chosen].sum()), task.modes
     free = modes[modes[:, 2] == 0.0] if (modes[:, 2] == 0.0).any() else modes
     return (float(task.sync.sum()) if task.sync.size else 2.0 * load) + 2.0 * load + float(free[:, 1].max())
 
 
-def _joined(ends: IntArray, size: int, groups: int = 1) -> bool:
+def _joined(ends: Long, size: int, groups: int = 1) -> bool:
     graph = np.zeros((size, size), dtype=np.bool_)
     graph[ends[0], ends[1]] = True
     return int(connected_components(graph, directed=False)[0]) == groups
 
 
-def _above(task: Task, chosen: IntArray, level: float) -> bool:
+def _above(task: Task, chosen: Long, level: float) -> bool:
     """Whether a choice holds above a level (of `_level`)."""
     if task.objective in (DAMPING, DRAG, FEEL):
         return _level(task, chosen) > level
@@ -194,7 +183,7 @@ def _above(task: Task, chosen: IntArray, level: float) -> bool:
     return True
 
 
-def _level(task: Task, chosen: IntArray) -> float:
+def _level(task: Task, chosen: Long) -> float:
     """How good a choice is, the larger the better: the rate of its slowest real root at mean delays, or -damping.
 
     What a hand feels is mostly drag, which stands for it.
@@ -212,7 +201,7 @@ def _level(task: Task, chosen: IntArray) -> float:
     return math.exp(low)
 
 
-def _value(task: Task, chosen: IntArray) -> float | None:
+def _value(task: Task, chosen: Long) -> float | None:
     if task.objective in (DAMPING, DRAG):
         return -_level(task, chosen)
     if task.objective != DECAY or task.lost != NOTHING or task.size * (_ORDER + 1) > _ROWS:
@@ -221,7 +210,7 @@ def _value(task: Task, chosen: IntArray) -> float | None:
     spring, delay = np.zeros((2, task.size, task.size))
     spring[i, j] = spring[j, i] = task.spring[chosen]
     delay[i, j], delay[j, i] = task.to_first[chosen], task.to_second[chosen]
-    sync: FloatArray = task.sync if task.sync.size else (spring * (delay + delay.T) / 2).sum(axis=1)
+    sync: Float = task.sync if task.sync.size else (spring * (delay + delay.T) / 2).sum(axis=1)
     slowest = -math.inf
     for m, b, k in (task.modes / task.size).tolist():
         there = np.ones(task.size)

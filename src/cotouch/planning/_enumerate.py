@@ -7,11 +7,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from cotouch.arrays import Bool, Float, Long
 from cotouch.compiled import raised, routine
 from cotouch.interrupt import check
 from cotouch.planning._judge import between
 from cotouch.planning._problem import Problem
-from cotouch.planning._task import CONSENSUS, BoolArray, FloatArray, IntArray, Task, admissible, period_of, rate
+from cotouch.planning._task import CONSENSUS, Task, admissible, period_of, rate
 
 # Stretches long enough to hide their start, short enough to share and to stop between. They depend on the problem
 # alone, so that the result doesn't depend on the machine.
@@ -46,7 +47,7 @@ class Found(NamedTuple):
     unsure: int
 
 
-def unrank(rank: int, count: int, pick: int) -> IntArray:
+def unrank(rank: int, count: int, pick: int) -> Long:
     """Combination number `rank`, in lexicographic order, of `pick` out of `count`.
 
     Args:
@@ -66,7 +67,7 @@ def unrank(rank: int, count: int, pick: int) -> IntArray:
 
 
 @routine
-def choose(task: Task, combination: IntArray, chosen: IntArray) -> None:
+def choose(task: Task, combination: Long, chosen: Long) -> None:
     """Numbers of the pairs linked, ascending: those that must be and those picked.
 
     Args:
@@ -85,9 +86,7 @@ def choose(task: Task, combination: IntArray, chosen: IntArray) -> None:
 
 
 @routine
-def sweep(
-    task: Task, combination: IntArray, values: FloatArray, sure: BoolArray, best: FloatArray, worst: float
-) -> None:
+def sweep(task: Task, combination: Long, values: Float, sure: Bool, best: Float, worst: float) -> None:
     """Objectives of consecutive combinations, NaN where not admissible; neighbours lend each other their roots.
 
     A consensus that is surely neither among the best nor the worst is not worked out: its value is inf.
@@ -136,7 +135,7 @@ def sweep(
                 combination[later] = combination[later - 1] + 1
 
 
-def chosen_at(problem: Problem, rank: int) -> IntArray:
+def chosen_at(problem: Problem, rank: int) -> Long:
     """Numbers of the pairs that choice number `rank` links.
 
     Args:
@@ -156,8 +155,8 @@ class Values(NamedTuple):
         unsure: how many admissible ones nothing could tell for certain.
     """
 
-    values: FloatArray
-    connected: BoolArray
+    values: Float
+    connected: Bool
     unsure: int
 
 

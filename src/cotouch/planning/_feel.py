@@ -1,14 +1,14 @@
 """What a hand feels of the object through linked copies, beyond the object itself."""
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.compiled import raised, routine
 from cotouch.network import Loop, invert
 
 
 @routine
-def felt(loop: Loop, thing: npt.NDArray[np.float64], tones: npt.NDArray[np.float64], enough: float) -> float:
+def felt(loop: Loop, thing: Float, tones: Float, enough: float) -> float:
     """The largest `|Z_i - Z|` of any user at any tone, Ns/m.
 
     A hand at the copy of user i feels `Z_i = 1 / (s (G⁻¹)_ii)` while the others let go; of one copy for all it would

@@ -9,9 +9,9 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch import drawing
+from cotouch.arrays import Bool, Float
 from cotouch.errors import NetworkError
 from cotouch.network import Network
-from cotouch.planning._task import BoolArray, FloatArray
 from cotouch.units import user_number
 
 if TYPE_CHECKING:
@@ -235,9 +235,7 @@ def knee(
     return figure
 
 
-def _course(
-    panel: "Axes", name: str, count: FloatArray, values: FloatArray, sure: BoolArray, color: Any, chosen: int | None
-) -> None:
+def _course(panel: "Axes", name: str, count: Float, values: Float, sure: Bool, color: Any, chosen: int | None) -> None:
     """One quantity over the numbers of links."""
     panel.plot(count, values, "-", color=color)
     for known, face in ((True, color), (False, drawing.SURFACE)):

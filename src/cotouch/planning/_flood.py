@@ -14,18 +14,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cotouch.arrays import Float, Long
 from cotouch.compiled import raised, routine, subroutine
 from cotouch.planning._levels import FURTHEST, ends, fill, holds, still
-from cotouch.planning._task import (
-    LOST_LINK,
-    LOST_USER,
-    NOTHING,
-    FloatArray,
-    IntArray,
-    Task,
-    admissible,
-    mean_delay,
-)
+from cotouch.planning._task import LOST_LINK, LOST_USER, NOTHING, Task, admissible, mean_delay
 
 # Swaps tried at one level after which a search is over: so many times links times the logarithm of the others, but no
 # more than so many times all there are.
@@ -46,14 +38,14 @@ class Front(NamedTuple):
         over: whether the search has come to its end.
     """
 
-    chosen: IntArray
+    chosen: Long
     level: float
     idle: int
     over: bool
 
 
 @subroutine
-def _pluses(small: FloatArray, size: int) -> int:
+def _pluses(small: Float, size: int) -> int:
     """Number of positive eigenvalues of the leading block, by elimination; it is used up. Too many at a zero."""
     found = 0
     for p in range(size):
@@ -70,7 +62,7 @@ def _pluses(small: FloatArray, size: int) -> int:
 
 
 @subroutine
-def _pair(inverse: FloatArray, i: int, j: int, plus: float, minus: float, at: int, small: FloatArray) -> None:
+def _pair(inverse: Float, i: int, j: int, plus: float, minus: float, at: int, small: Float) -> None:
     """One link's block of `C⁻¹ + Uᵀ X U`, its columns of U being `e_i ± e_j`."""
     small[at, at] = 1.0 / plus + inverse[i, i] + 2.0 * inverse[i, j] + inverse[j, j]
     small[at + 1, at + 1] = 1.0 / minus + inverse[i, i] - 2.0 * inverse[i, j] + inverse[j, j]
@@ -78,7 +70,7 @@ def _pair(inverse: FloatArray, i: int, j: int, plus: float, minus: float, at: in
 
 
 @subroutine
-def _swap_holds(task: Task, inverse: FloatArray, leaving: int, coming: int, level: float, small: FloatArray) -> bool:
+def _swap_holds(task: Task, inverse: Float, leaving: int, coming: int, level: float, small: Float) -> bool:
     """Whether the number of negative eigenvalues stays as it is when one link is swapped for another."""
     i, j = task.first[leaving], task.second[leaving]
     k, h = task.first[coming], task.second[coming]
@@ -101,7 +93,7 @@ def _swap_holds(task: Task, inverse: FloatArray, leaving: int, coming: int, leve
 
 
 @subroutine
-def _loss_holds(task: Task, inverse: FloatArray, gone: int, level: float, small: FloatArray) -> bool:
+def _loss_holds(task: Task, inverse: Float, gone: int, level: float, small: Float) -> bool:
     """The same where one link is lost."""
     own, beside = ends(task, gone, level)
     plus, minus = 0.5 * (beside - own), -0.5 * (own + beside)
@@ -112,7 +104,7 @@ def _loss_holds(task: Task, inverse: FloatArray, gone: int, level: float, small:
 
 
 @subroutine
-def _changed(task: Task, inverse: FloatArray, e: int, sign: float, level: float) -> None:
+def _changed(task: Task, inverse: Float, e: int, sign: float, level: float) -> None:
     """The inverse after a link has come (sign 1) or gone (-1): two updates of rank 1 [Sherman & Morrison 1950]."""
     n = task.size
     i, j = task.first[e], task.second[e]
@@ -132,7 +124,7 @@ def _changed(task: Task, inverse: FloatArray, e: int, sign: float, level: float)
 
 
 @subroutine
-def _survives(task: Task, chosen: IntArray, inverses: FloatArray, level: float, small: FloatArray) -> bool:
+def _survives(task: Task, chosen: Long, inverses: Float, level: float, small: Float) -> bool:
     """Whether connected links still hold with any one of them, or any one user, lost."""
     for mode in range(len(task.modes)):
         if task.lost == LOST_LINK:
@@ -148,7 +140,7 @@ def _survives(task: Task, chosen: IntArray, inverses: FloatArray, level: float, 
 
 
 @subroutine
-def _inverted(matrix: FloatArray) -> int:
+def _inverted(matrix: Float) -> int:
     """Inverts in place (Gauss-Jordan); the number of negative eigenvalues, too many where it meets a zero."""
     n = len(matrix)
     found = 0
@@ -171,7 +163,7 @@ def _inverted(matrix: FloatArray) -> int:
 
 
 @subroutine
-def _ready(task: Task, chosen: IntArray, level: float, inverses: FloatArray) -> bool:
+def _ready(task: Task, chosen: Long, level: float, inverses: Float) -> bool:
     """Works the inverses out anew; whether the links hold."""
     held = True
     for mode in range(len(task.modes)):
@@ -181,7 +173,7 @@ def _ready(task: Task, chosen: IntArray, level: float, inverses: FloatArray) -> 
 
 
 @subroutine
-def _fits(task: Task, damping: FloatArray, degree: IntArray, leaving: int, coming: int) -> bool:
+def _fits(task: Task, damping: Float, degree: Long, leaving: int, coming: int) -> bool:
     """Whether a swap keeps to the limits on links and damping."""
     i, j = task.first[leaving], task.second[leaving]
     for end in range(2):
@@ -195,7 +187,7 @@ def _fits(task: Task, damping: FloatArray, degree: IntArray, leaving: int, comin
 
 
 @subroutine
-def _count(task: Task, e: int, sign: int, damping: FloatArray, degree: IntArray) -> None:
+def _count(task: Task, e: int, sign: int, damping: Float, degree: Long) -> None:
     i, j = task.first[e], task.second[e]
     damping[i] += sign * task.load[e]
     damping[j] += sign * task.load[e]
@@ -204,7 +196,7 @@ def _count(task: Task, e: int, sign: int, damping: FloatArray, degree: IntArray)
 
 
 @subroutine
-def _exchange(trial: IntArray, leaving: int, coming: int) -> None:
+def _exchange(trial: Long, leaving: int, coming: int) -> None:
     for c in range(len(trial)):
         if trial[c] == leaving:
             trial[c] = coming
@@ -212,7 +204,7 @@ def _exchange(trial: IntArray, leaving: int, coming: int) -> None:
 
 
 @routine
-def flood(task: Task, front: Front, rise: float, picks: FloatArray) -> Front:
+def flood(task: Task, front: Front, rise: float, picks: Float) -> Front:
     """Goes on with a search.
 
     Args:

@@ -2,16 +2,17 @@
 
 import numpy as np
 
+from cotouch.arrays import Bool, Float, Long
 from cotouch.compiled import raised, routine, subroutine
 from cotouch.planning._levels import holds, level_of
-from cotouch.planning._task import LOST_USER, NOTHING, BoolArray, FloatArray, IntArray, Task, admissible, mean_delay
+from cotouch.planning._task import LOST_USER, NOTHING, Task, admissible, mean_delay
 
 # By how much a network must beat the best so far.
 _BETTER = 1e-3
 
 
 @subroutine
-def _link(task: Task, e: int, degree: IntArray, damping: FloatArray, group: IntArray, taken: BoolArray) -> None:
+def _link(task: Task, e: int, degree: Long, damping: Float, group: Long, taken: Bool) -> None:
     i, j = task.first[e], task.second[e]
     a, b = group[i], group[j]
     taken[e] = True
@@ -25,9 +26,7 @@ def _link(task: Task, e: int, degree: IntArray, damping: FloatArray, group: IntA
 
 
 @subroutine
-def _take(
-    task: Task, e: int, tree: bool, degree: IntArray, damping: FloatArray, group: IntArray, taken: BoolArray
-) -> bool:
+def _take(task: Task, e: int, tree: bool, degree: Long, damping: Float, group: Long, taken: Bool) -> bool:
     """Links a pair where the limits allow it; for a `tree` only if it joins two groups of users."""
     i, j = task.first[e], task.second[e]
     a, b = group[i], group[j]
@@ -40,7 +39,7 @@ def _take(
 
 
 @routine
-def about(task: Task, hub: BoolArray, order: IntArray, chosen: IntArray) -> bool:
+def about(task: Task, hub: Bool, order: Long, chosen: Long) -> bool:
     """Links every user to a hub, and then to further ones, always the nearest first.
 
     Args:
@@ -76,7 +75,7 @@ def about(task: Task, hub: BoolArray, order: IntArray, chosen: IntArray) -> bool
 
 
 @routine
-def central(task: Task) -> IntArray:
+def central(task: Task) -> Long:
     """Users, those with short delays to all others first."""
     total, pairs = np.zeros(task.size), np.zeros(task.size)
     for e in range(len(task.first)):
@@ -87,7 +86,7 @@ def central(task: Task) -> IntArray:
 
 
 @routine
-def hubs(task: Task, most: int, picks: FloatArray, chosen: IntArray) -> float:
+def hubs(task: Task, most: int, picks: Float, chosen: Long) -> float:
     """The network about hubs that holds at the highest level, of many that are picked.
 
     Args:

@@ -2,25 +2,14 @@
 
 import numpy as np
 
+from cotouch.arrays import Complex, Float, Long
 from cotouch.compiled import routine, subroutine
 from cotouch.network import arrive, chain_of, none_beyond, on_line, polish, rate_of, slowest, value
-from cotouch.planning._task import (
-    CONSENSUS,
-    DAMPING,
-    DECAY,
-    DRAG,
-    FEEL,
-    ComplexArray,
-    FloatArray,
-    IntArray,
-    Task,
-    loop_of,
-    weight_of,
-)
+from cotouch.planning._task import CONSENSUS, DAMPING, DECAY, DRAG, FEEL, Task, loop_of, weight_of
 
 
 @routine
-def between(task: Task, chosen: IntArray, best: float, worst: float, guesses: ComplexArray) -> bool:
+def between(task: Task, chosen: Long, best: float, worst: float, guesses: Complex) -> bool:
     """Whether an aperiodic consensus is surely slower than `best` and faster than `worst`, which needs no exact value.
 
     One root right of `best` settles the first; that no root lies right of `worst` the second.
@@ -43,7 +32,7 @@ def between(task: Task, chosen: IntArray, best: float, worst: float, guesses: Co
 
 
 @routine
-def hopeless(task: Task, chosen: IntArray, best: float, pool: ComplexArray) -> bool:
+def hopeless(task: Task, chosen: Long, best: float, pool: Complex) -> bool:
     """Whether links are surely no better than `best`, from one root that Newton reaches from a guess.
 
     A root right of `best` settles it, whatever others there are. The resting translation does not count.
@@ -82,7 +71,7 @@ def hopeless(task: Task, chosen: IntArray, best: float, pool: ComplexArray) -> b
 
 
 @subroutine
-def remember(pool: ComplexArray, mode: int, place: int, root: complex) -> None:
+def remember(pool: Complex, mode: int, place: int, root: complex) -> None:
     """Puts a root first among the guesses, in the place of one of them.
 
     Args:
@@ -97,7 +86,7 @@ def remember(pool: ComplexArray, mode: int, place: int, root: complex) -> None:
 
 
 @routine
-def pulls(task: Task, chosen: IntArray, guesses: ComplexArray, out: FloatArray) -> None:
+def pulls(task: Task, chosen: Long, guesses: Complex, out: Float) -> None:
     """How far each pair, linked as a little more than it is, moves the slowest root to the right, 1/s.
 
     With `zᵀ G = 0 = G x` at a root s a change of G moves it by `-zᵀ dG x / zᵀ G' x`.

@@ -2,8 +2,9 @@
 
 import numpy as np
 
+from cotouch.arrays import Float, Long
 from cotouch.compiled import routine, subroutine
-from cotouch.planning._task import CONSENSUS, LOST_LINK, LOST_USER, FloatArray, IntArray, Task, mean_delay
+from cotouch.planning._task import CONSENSUS, LOST_LINK, LOST_USER, Task, mean_delay
 
 # Levels beyond which links carry e to this say nothing, and roots this many decades apart are not bisected.
 FURTHEST, _HALVINGS = 30.0, 60
@@ -25,9 +26,7 @@ def ends(task: Task, e: int, level: float) -> tuple[float, float]:
 
 
 @subroutine
-def fill(
-    task: Task, chosen: IntArray, without: int, mode: int, level: float, place: IntArray, matrix: FloatArray
-) -> None:
+def fill(task: Task, chosen: Long, without: int, mode: int, level: float, place: Long, matrix: Float) -> None:
     """The matrix at -λ, users in their places; one `without` is left out (its row is that of a unit matrix).
 
     Args:
@@ -67,7 +66,7 @@ def fill(
 
 
 @subroutine
-def _negatives(matrix: FloatArray) -> int:
+def _negatives(matrix: Float) -> int:
     """Number of negative eigenvalues, by elimination; the matrix is used up. Too many where it meets a zero."""
     n = len(matrix)
     found = 0
@@ -97,7 +96,7 @@ def still(task: Task, mode: int) -> int:
 
 
 @subroutine
-def _places(task: Task, chosen: IntArray) -> IntArray:
+def _places(task: Task, chosen: Long) -> Long:
     """Users with few links first: elimination then fills little."""
     degree, place = np.zeros(task.size, np.int64), np.empty(task.size, np.int64)
     for e in chosen:
@@ -116,7 +115,7 @@ def uneven(task: Task) -> bool:
 
 
 @routine
-def holds(task: Task, chosen: IntArray, level: float) -> bool:
+def holds(task: Task, chosen: Long, level: float) -> bool:
     """Whether no real root of connected links lies right of -λ, for equal delays both ways.
 
     Args:
@@ -144,7 +143,7 @@ def holds(task: Task, chosen: IntArray, level: float) -> bool:
 
 
 @routine
-def level_of(task: Task, chosen: IntArray) -> float:
+def level_of(task: Task, chosen: Long) -> float:
     """The highest level at which links hold, but for a thousandth, 1/s; 0 if they hold at none.
 
     Args:

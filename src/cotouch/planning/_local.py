@@ -11,6 +11,7 @@ from typing import Any, TypeAlias, final
 
 import numpy as np
 
+from cotouch.arrays import Complex, Long
 from cotouch.compiled import raised, routine
 from cotouch.interrupt import Flag, check
 from cotouch.planning._bound import ROUND_OFF
@@ -21,7 +22,7 @@ from cotouch.planning._levels import holds, uneven
 from cotouch.planning._problem import Problem
 from cotouch.planning._referral import referred
 from cotouch.planning._starts import SMALL, side_by_side, start_of
-from cotouch.planning._task import DAMPING, DECAY, ComplexArray, IntArray, Task, admissible, rate
+from cotouch.planning._task import DAMPING, DECAY, Task, admissible, rate
 
 # Swaps of a walk between looks at the clock: so many over the cube of the number of users, and at least; and how many
 # that are turned down by real roots take as long as one that is not.
@@ -51,7 +52,7 @@ _DONE, _BETTER, _UNSURE = 0, 1, 2
 # Number of the walk that begins where it is told, beyond all others.
 _GIVEN = 2**31
 
-Begin: TypeAlias = tuple[IntArray | None, IntArray]
+Begin: TypeAlias = tuple[Long | None, Long]
 
 
 @final
@@ -81,10 +82,10 @@ class Walk:
     """
 
     start: int
-    chosen: IntArray = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
+    chosen: Long = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
     value: float = np.inf
-    guesses: ComplexArray = field(default_factory=lambda: np.zeros(0, dtype=np.complex128))
-    pool: ComplexArray = field(default_factory=lambda: np.zeros((0, 0), dtype=np.complex128))
+    guesses: Complex = field(default_factory=lambda: np.zeros(0, dtype=np.complex128))
+    pool: Complex = field(default_factory=lambda: np.zeros((0, 0), dtype=np.complex128))
     turn: int = 0
     position: int = 0
     looked: int = 0
@@ -92,7 +93,7 @@ class Walk:
     level: float = 0.0
     idle: int = 0
     slices: int = 0
-    home: IntArray = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
+    home: Long = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
     best: float = np.inf
     kicks: int = 0
     vain: int = 0
@@ -108,15 +109,15 @@ class Walk:
 @routine
 def swaps(
     task: Task,
-    chosen: IntArray,
-    inside: IntArray,
-    outside: IntArray,
-    order: IntArray,
+    chosen: Long,
+    inside: Long,
+    outside: Long,
+    order: Long,
     begin: int,
     most: int,
     value: float,
-    guesses: ComplexArray,
-    pool: ComplexArray,
+    guesses: Complex,
+    pool: Complex,
 ) -> tuple[int, int, float, int, int]:
     """Tries swaps until one helps, or the work is done.
 
@@ -243,12 +244,12 @@ def _kicked(problem: Problem, task: Task, walk: Walk, seed: int) -> Walk:
     return replace(walk, over=True)
 
 
-def _pool(guesses: ComplexArray, pool: ComplexArray) -> ComplexArray:
+def _pool(guesses: Complex, pool: Complex) -> Complex:
     """The roots of the links at hand before those that settled swaps so far."""
     return np.ascontiguousarray(np.concatenate([guesses[:, None], pool[:, :-1]], axis=1))
 
 
-def _order(task: Task, walk: Walk, seed: int, inside: IntArray, outside: IntArray) -> IntArray:
+def _order(task: Task, walk: Walk, seed: int, inside: Long, outside: Long) -> Long:
     """The swaps in the order in which they are tried, which follows from the walk: it can go on in any process.
 
     Those go first that move the slowest root furthest left, as far as its slope tells. Few swaps are sooner tried than
@@ -298,7 +299,7 @@ def _settled(problem: Problem, task: Task, walk: Walk, *, slowly: bool = True) -
 
 
 def worked_out(
-    problem: Problem, task: Task, chosen: IntArray, guesses: ComplexArray | None = None, *, slowly: bool = True
+    problem: Problem, task: Task, chosen: Long, guesses: Complex | None = None, *, slowly: bool = True
 ) -> float | None:
     """The objective of one choice as `rate` gives it; None if it cannot be told for certain, or not in time.
 

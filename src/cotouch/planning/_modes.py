@@ -5,11 +5,11 @@ import math
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import NetworkError
-from cotouch.planning._task import FloatArray
 
 
-def modes_table(mass: npt.ArrayLike, damping: npt.ArrayLike, stiffness: npt.ArrayLike) -> FloatArray:
+def modes_table(mass: npt.ArrayLike, damping: npt.ArrayLike, stiffness: npt.ArrayLike) -> Float:
     """(modes, 3); scalars count for every mode.
 
     Args:

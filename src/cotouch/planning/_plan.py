@@ -10,6 +10,7 @@ from typing import Literal, TypeAlias, final, get_args
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Long
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.interrupt import Flag, check, finishing, flag, heeding, interruptible
 from cotouch.network import Convention, Network, Rounding
@@ -21,7 +22,7 @@ from cotouch.planning._ready import compiles, warm
 from cotouch.planning._relaxation import bound_of
 from cotouch.planning._result import Choice, Method, Plan, choice_of, shown
 from cotouch.planning._starts import WALKS, begun_at
-from cotouch.planning._task import NOTHING, IntArray
+from cotouch.planning._task import NOTHING
 from cotouch.planning._workers import Workers, workers
 
 Progress: TypeAlias = Callable[[int, int, float], None]
@@ -76,7 +77,7 @@ class _Search:
     periodic: int = 0
     unsure: int = 0
 
-    def keep(self, chosen: IntArray, value: float) -> None:
+    def keep(self, chosen: Long, value: float) -> None:
         """Takes up one choice."""
         self.kept[tuple(chosen.tolist())] = value
 
@@ -294,7 +295,7 @@ def plan(
     return found
 
 
-def _at_least(problem: Problem, fallback: IntArray | None, asked: Flag) -> tuple[IntArray, float]:
+def _at_least(problem: Problem, fallback: Long | None, asked: Flag) -> tuple[Long, float]:
     """One choice and its objective, where the search was stopped before it had any; that takes what it takes."""
     problem = replace(problem, task=problem.task._replace(stop=asked))
     fallback = some_choice(problem) if fallback is None else fallback

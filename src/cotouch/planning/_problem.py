@@ -8,6 +8,7 @@ from typing import Literal, TypeAlias, final, get_args
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float, Long
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.interrupt import flag, heeding
 from cotouch.network import (
@@ -22,19 +23,7 @@ from cotouch.network import (
     rightmost_root,
 )
 from cotouch.planning._modes import modes_table
-from cotouch.planning._task import (
-    CONSENSUS,
-    DAMPING,
-    DECAY,
-    DRAG,
-    FEEL,
-    LOST_LINK,
-    LOST_USER,
-    NOTHING,
-    FloatArray,
-    IntArray,
-    Task,
-)
+from cotouch.planning._task import CONSENSUS, DAMPING, DECAY, DRAG, FEEL, LOST_LINK, LOST_USER, NOTHING, Task
 from cotouch.units import user_number
 
 Objective: TypeAlias = Literal["consensus", "decay", "damping", "drag", "feel"]
@@ -83,11 +72,11 @@ class Problem:
         """How many choices of links there are, connected or not."""
         return math.comb(len(self.task.free), self.task.pick)
 
-    def pairs(self, chosen: IntArray) -> tuple[Pair, ...]:
+    def pairs(self, chosen: Long) -> tuple[Pair, ...]:
         """Users that a choice links."""
         return tuple(self.network.links[int(e)] for e in chosen)
 
-    def reference(self, chosen: IntArray) -> float | None:
+    def reference(self, chosen: Long) -> float | None:
         """Consensus or decay of one choice as `rate` gives it, slowly; None if it cannot be told for certain either."""
         network, task = self.network.with_links(self.pairs(chosen)), self.task
         try:
@@ -104,7 +93,7 @@ class Problem:
         except (UnsupportedError, KeyboardInterrupt):  # the latter would end one thread of many; who shares work looks
             return None
 
-    def left_by(self, network: Network) -> Iterator[tuple[Network, FloatArray | None]]:
+    def left_by(self, network: Network) -> Iterator[tuple[Network, Float | None]]:
         """The network, and what any loss leaves of it, with the synchronisation damping given."""
         sync = self.task.sync if self.task.sync.size else None
         yield network, sync
@@ -246,13 +235,13 @@ def make_problem(
 def _task(
     network: Network,
     objective: Objective,
-    lags: IntArray,
+    lags: Long,
     time_unit: float,
     needed: set[Pair],
     pick: int,
     most: int,
-    modes: FloatArray,
-    sync: FloatArray,
+    modes: Float,
+    sync: Float,
     *,
     limit: float,
     drag: float,
@@ -261,7 +250,7 @@ def _task(
     first, second = (np.array([link[end] for link in network.links], dtype=np.int64) for end in (0, 1))
     spring = np.ascontiguousarray(network.spring[first, second])
     delay = network.delay
-    within: FloatArray = (lags * time_unit if objective == "consensus" else delay).astype(np.float64)
+    within: Float = (lags * time_unit if objective == "consensus" else delay).astype(np.float64)
     required = np.array([link in needed for link in network.links], dtype=np.bool_)
     return Task(
         size=network.size,
@@ -377,7 +366,7 @@ def _check_counts(network: Network, links: int, needed: set[Pair], most: int, ba
         )
 
 
-def _sync(sync_damping: npt.ArrayLike | None, size: int) -> FloatArray:
+def _sync(sync_damping: npt.ArrayLike | None, size: int) -> Float:
     if sync_damping is None:
         return np.zeros(0)
     array = np.array(sync_damping, dtype=np.float64)

@@ -4,15 +4,16 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from cotouch.arrays import Long
 from cotouch.errors import UnsupportedError
 from cotouch.interrupt import check, heeding
 from cotouch.network import rightmost, rightmost_root
 from cotouch.planning._deadline import aside
 from cotouch.planning._problem import Problem
-from cotouch.planning._task import DECAY, LOST_LINK, NOTHING, IntArray, loop_of
+from cotouch.planning._task import DECAY, LOST_LINK, NOTHING, loop_of
 
 
-def referred(problem: Problem, chosen: IntArray) -> float | None:
+def referred(problem: Problem, chosen: Long) -> float | None:
     """What `Problem.reference` says, unless the search is stopped: eigenvalues of a large matrix hear no flag.
 
     Args:
@@ -27,7 +28,7 @@ def referred(problem: Problem, chosen: IntArray) -> float | None:
         return None
 
 
-def _worst_loss(problem: Problem, chosen: IntArray) -> float | None:
+def _worst_loss(problem: Problem, chosen: Long) -> float | None:
     """The decay after the worst loss, of which only what is uncertain is worked out slowly."""
     task, worst = problem.task, -np.inf
     nothing = np.zeros(0, np.complex128)
@@ -46,7 +47,7 @@ def _worst_loss(problem: Problem, chosen: IntArray) -> float | None:
     return worst
 
 
-def _cases(problem: Problem, chosen: IntArray) -> Iterator[tuple[IntArray, int]]:
+def _cases(problem: Problem, chosen: Long) -> Iterator[tuple[Long, int]]:
     """Links that are left and the user who is lost, -1 for none, in the order of `Problem.left_by`."""
     yield chosen, -1
     if problem.task.lost == LOST_LINK:

@@ -21,8 +21,9 @@ import scipy.sparse
 import scipy.sparse.linalg
 from scipy.sparse.csgraph import minimum_spanning_tree
 
+from cotouch.arrays import Float, Long
 from cotouch.planning._problem import Problem
-from cotouch.planning._task import DAMPING, DECAY, DRAG, FloatArray, IntArray, Task, drag_of
+from cotouch.planning._task import DAMPING, DECAY, DRAG, Task, drag_of
 
 # The λ tried, per decade, and how often the step to the first is halved.
 _PER_DECADE, _HALVINGS = 20, 8
@@ -92,7 +93,7 @@ def _least_damping(problem: Problem) -> float:
     return float(max(2.0 * total / n, least.max(), own.max())) * (1.0 - _SAFE)
 
 
-def _both_ways(task: Task) -> FloatArray | None:
+def _both_ways(task: Task) -> Float | None:
     """Delay of every pair if it is the same both ways, once every user's clock is set right; else None."""
     apart = task.to_first - task.to_second
     longest = float(max(task.to_first.max(), task.to_second.max()))
@@ -111,7 +112,7 @@ def _both_ways(task: Task) -> FloatArray | None:
     return 0.5 * (task.to_first + task.to_second)
 
 
-def _fastest(problem: Problem, delay: FloatArray, mode: FloatArray) -> float | None:
+def _fastest(problem: Problem, delay: Float, mode: Float) -> float | None:
     """The lowest λ tried at which every choice has a root right of -λ, 1/s; None if there is none."""
     shortest, longest = float(delay[delay > 0].min(initial=math.inf)), float(delay.max())
     if not math.isfinite(shortest):
@@ -130,7 +131,7 @@ def _fastest(problem: Problem, delay: FloatArray, mode: FloatArray) -> float | N
     return None
 
 
-def _impossible(problem: Problem, delay: FloatArray, mode: FloatArray, rate: float) -> bool:
+def _impossible(problem: Problem, delay: Float, mode: Float, rate: float) -> bool:
     """Whether every choice has more negative eigenvalues at -λ than the resting translation."""
     task, n = problem.task, problem.task.size
     m, b, k = mode.tolist()
@@ -153,7 +154,7 @@ def _impossible(problem: Problem, delay: FloatArray, mode: FloatArray, rate: flo
     return len(forced) > 1 and not _clique(problem, forced)
 
 
-def _clique(problem: Problem, users: IntArray) -> bool:
+def _clique(problem: Problem, users: Long) -> bool:
     """Whether there are links for all users together and each of these with each other."""
     task, count = problem.task, len(users)
     inside = np.isin(task.first, users) & np.isin(task.second, users)

@@ -9,9 +9,10 @@ import numpy as np
 import scipy.sparse
 import scipy.sparse.csgraph
 
+from cotouch.arrays import Float, Long
 from cotouch.network import Network, Pair
 from cotouch.planning._problem import Objective, Problem
-from cotouch.planning._task import DECAY, NOTHING, FloatArray, IntArray, drag_of, period_of, rate
+from cotouch.planning._task import DECAY, NOTHING, drag_of, period_of, rate
 
 # Users up to whom a decay that is uncertain is worked out slowly.
 _SLOW = 40
@@ -42,7 +43,7 @@ class Choice:
     links: tuple[Pair, ...]
     value: float
     time_constant_s: float
-    damping: FloatArray
+    damping: Float
     drag: float
     worst_path_s: float
     period: int
@@ -141,7 +142,7 @@ def shown(problem: Problem, value: float) -> float:
     return math.exp(value * problem.time_unit) if problem.objective == "consensus" else value
 
 
-def choice_of(problem: Problem, chosen: IntArray, value: float) -> Choice:
+def choice_of(problem: Problem, chosen: Long, value: float) -> Choice:
     """Everything about one choice, from the numbers of its pairs and its objective as `rate` gives it.
 
     Args:
@@ -166,7 +167,7 @@ def choice_of(problem: Problem, chosen: IntArray, value: float) -> Choice:
     )
 
 
-def _decay(problem: Problem, chosen: IntArray) -> float:
+def _decay(problem: Problem, chosen: Long) -> float:
     """Rightmost root of the closed loop beside another objective, 1/s; NaN where there is none to be had."""
     if any(problem.network.weight_of[i, j] >= 0 for i, j in problem.pairs(chosen)):
         return math.nan

@@ -15,6 +15,7 @@ from typing import Any, final
 import numpy as np
 import scipy.optimize
 
+from cotouch.arrays import Complex, Float
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.network import (
     Decay,
@@ -28,7 +29,6 @@ from cotouch.network import (
     rightmost_root,
 )
 from cotouch.planning._deadline import aside
-from cotouch.planning._task import ComplexArray, FloatArray
 
 # The trust region, in logarithms of the springs: at first, at most, and where the search ends.
 _REGION, _WIDEST, _NARROWEST = 0.3, 1.0, 1e-5
@@ -51,7 +51,7 @@ _SPREAD, _MOST_SPREAD, _FOLLOWED = 15, 120, 3
 class Search:
     """What stays the same while the springs change."""
 
-    def __init__(self, network: Network, limit: FloatArray, modes: FloatArray, drag_limit: float | None = None) -> None:
+    def __init__(self, network: Network, limit: Float, modes: Float, drag_limit: float | None = None) -> None:
         self.network = network
         self.modes = modes
         pairs = np.array(network.links, dtype=np.int64).reshape(-1, 2)
@@ -74,24 +74,24 @@ class Search:
             self.takes = np.vstack([self.takes, 4.0 * self.age / (drag_limit - own)])
         self.low, self.high = 0.0, math.inf
         self.rounds = 0
-        self.found: list[tuple[Decay, FloatArray, FloatArray]] = []
+        self.found: list[tuple[Decay, Float, Float]] = []
 
-    def springs_of(self, network: Network) -> FloatArray:
+    def springs_of(self, network: Network) -> Float:
         """The springs of the links chosen [N/m]."""
         return network.spring[self.first, self.second]
 
-    def network_of(self, springs: FloatArray) -> Network:
+    def network_of(self, springs: Float) -> Network:
         """The network with these springs [N/m]."""
         matrix = self.network.spring.copy()
         matrix[self.first, self.second] = matrix[self.second, self.first] = springs
         return self.network.replace(spring=matrix)
 
-    def room(self, springs: FloatArray) -> float:
+    def room(self, springs: Float) -> float:
         """The factor that brings the springs just to the limit; inf where no damping is needed."""
         most = float((self.takes @ springs).max(initial=0.0))
         return 1.0 / most * (1.0 - 1e-15) if most > 0 else math.inf
 
-    def at(self, springs: FloatArray) -> Decay:
+    def at(self, springs: Float) -> Decay:
         """The decay with springs within the limits; the best of all that were asked for is kept."""
         decay, mode = self.slowest(springs)
         if not self.found or decay.rate < self.found[0][0].rate:
@@ -99,11 +99,11 @@ class Search:
         return decay
 
     @property
-    def best(self) -> tuple[Decay, FloatArray, FloatArray]:
+    def best(self) -> tuple[Decay, Float, Float]:
         """The best decay so far, its springs, and the mode that is slowest then."""
         return self.found[0]
 
-    def slowest(self, springs: FloatArray) -> tuple[Decay, FloatArray]:
+    def slowest(self, springs: Float) -> tuple[Decay, Float]:
         """The decay of the object's slowest mode, and which that is."""
         network = self.network_of(springs)
         found = [
@@ -113,7 +113,7 @@ class Search:
         decay, row = max(found, key=lambda one: one[0].rate)
         return decay, self.modes[row]
 
-    def spread(self) -> list[tuple[Decay, FloatArray]]:
+    def spread(self) -> list[tuple[Decay, Float]]:
         """The best of many springs between the bounds, scaled into the limit where they break it."""
         size = self.takes.shape[1]
         # Kronecker sequence of the powers of the root g of g^(E+1) = g + 1, the most even known in any dimension.
@@ -121,7 +121,7 @@ class Search:
         for _ in range(50):
             ratio = (1.0 + ratio) ** (1.0 / (size + 1))
         powers = ratio ** -np.arange(1.0, size + 1)
-        found: list[tuple[Decay, FloatArray]] = []
+        found: list[tuple[Decay, Float]] = []
         for point in range(min(_SPREAD * size, _MOST_SPREAD)):
             springs = self.low * (self.high / self.low) ** ((0.5 + (point + 1) * powers) % 1.0)
             springs = np.maximum(springs * min(1.0, self.room(springs)), self.low)
@@ -133,7 +133,7 @@ class Search:
                 continue
         return sorted(found, key=lambda one: one[0].rate)[:_FOLLOWED]
 
-    def improve(self, best: tuple[Decay, FloatArray], rounds: int) -> None:
+    def improve(self, best: tuple[Decay, Float], rounds: int) -> None:
         """Linear programs in a row, as long as they help.
 
         Args:
@@ -171,12 +171,12 @@ class Search:
             elif gain < 0.1 * promised:
                 region *= 0.5
 
-    def inside(self, springs: FloatArray) -> FloatArray:
+    def inside(self, springs: Float) -> Float:
         """Round-off of the linear program taken back."""
         springs = np.clip(springs, self.low, self.high)
         return springs * min(1.0, self.room(springs))
 
-    def programs(self, decay: Decay, springs: FloatArray) -> list["_Program"]:
+    def programs(self, decay: Decay, springs: Float) -> list["_Program"]:
         """What to lower together: each root of the front by itself; and with those that meet as pairs.
 
         Args:
@@ -187,7 +187,7 @@ class Search:
         plain = _Program(roots.real, slopes.real, np.zeros(0), np.zeros((0, len(springs))))
         return [plain, *self.pairings(roots, slopes)]
 
-    def pairings(self, roots: ComplexArray, slopes: ComplexArray) -> Iterator["_Program"]:
+    def pairings(self, roots: Complex, slopes: Complex) -> Iterator["_Program"]:
         """Programs in which two roots, that are or come onto the real axis together, stay together.
 
         Args:
@@ -209,7 +209,7 @@ class Search:
                 (2 * half * turn).real[None, :],
             )
 
-    def front(self, decay: Decay, springs: FloatArray) -> tuple[ComplexArray, ComplexArray]:
+    def front(self, decay: Decay, springs: Float) -> tuple[Complex, Complex]:
         """The rightmost roots with Im >= 0, the rightmost first, and (roots, E) their slopes in relative changes.
 
         Args:
@@ -224,9 +224,7 @@ class Search:
         pairs = [(root, slope) for root, loop in found for slope in self.slopes(loop, root)]
         return np.array([root for root, _ in pairs]), np.array([slope for _, slope in pairs]) * springs
 
-    def roots(
-        self, decay: Decay, springs: FloatArray, mode: FloatArray, known: list[complex]
-    ) -> list[tuple[complex, Loop]]:
+    def roots(self, decay: Decay, springs: Float, mode: Float, known: list[complex]) -> list[tuple[complex, Loop]]:
         """The rightmost roots of one mode, with the loop that they belong to; `known` are among them.
 
         Args:
@@ -256,7 +254,7 @@ class Search:
                 roots.append(complex(root))
         return [(root, loop) for root in roots]
 
-    def slopes(self, loop: Loop, root: complex) -> list[ComplexArray]:
+    def slopes(self, loop: Loop, root: complex) -> list[Complex]:
         """ds/dK_e: one for a simple root; for several that coincide, along each of their shapes and between them.
 
         Args:
@@ -287,7 +285,7 @@ class Search:
                 shapes += [(shapes[a] + shapes[b]) / np.sqrt(2), (shapes[a] - shapes[b]) / np.sqrt(2)]
         return [np.einsum("a,ace,c->e", shape, result, shape) for shape in shapes]
 
-    def solve(self, program: "_Program", springs: FloatArray, region: float) -> tuple[FloatArray, float] | None:
+    def solve(self, program: "_Program", springs: Float, region: float) -> tuple[Float, float] | None:
         """Relative changes of the springs and the largest rate that the program promises; None where it has none.
 
         Args:
@@ -329,13 +327,13 @@ class _Program:
         parting: (P, E), their slopes.
     """
 
-    rates: FloatArray
-    slopes: FloatArray
-    apart: FloatArray
-    parting: FloatArray
+    rates: Float
+    slopes: Float
+    apart: Float
+    parting: Float
 
 
-def _own_drag(modes: FloatArray) -> float:
+def _own_drag(modes: Float) -> float:
     """Damping of the modes that move freely, or of all if none does, Ns/m: what the object adds to `Choice.drag`."""
     free = modes[:, 2] == 0.0
     return float(modes[free if free.any() else slice(None), 1].max())

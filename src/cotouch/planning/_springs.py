@@ -9,6 +9,7 @@ from typing import final
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import NetworkError
 from cotouch.interrupt import flag, interruptible
 from cotouch.network import (
@@ -20,7 +21,6 @@ from cotouch.network import (
 from cotouch.planning._deadline import until
 from cotouch.planning._modes import modes_table
 from cotouch.planning._spring_search import Search
-from cotouch.planning._task import FloatArray
 
 # Default bounds, as shares of the softest and the stiffest spring in use at the start.
 _RANGE = 10.0
@@ -44,10 +44,10 @@ class Tuned:
     network: Network
     before: float
     after: float
-    sync_damping: FloatArray
+    sync_damping: Float
     start_factor: float
     rounds: int
-    mode: FloatArray
+    mode: Float
 
 
 @final
@@ -67,7 +67,7 @@ class TuningInterrupted(KeyboardInterrupt):
 def tune_springs(
     network: Network,
     *,
-    damping_limit: float | Sequence[float] | FloatArray,
+    damping_limit: float | Sequence[float] | Float,
     mass: npt.ArrayLike = 1.0,
     damping: npt.ArrayLike = 0.0,
     stiffness: npt.ArrayLike = 0.0,
@@ -151,7 +151,7 @@ def _can_move(decay: Decay, network: Network) -> bool:
     return bool(network.links) and decay.root != 0
 
 
-def _limits(network: Network, damping_limit: float | Sequence[float] | FloatArray) -> FloatArray:
+def _limits(network: Network, damping_limit: float | Sequence[float] | Float) -> Float:
     try:
         limit = np.array(damping_limit, dtype=np.float64)
     except (TypeError, ValueError):
@@ -173,7 +173,7 @@ def _limits(network: Network, damping_limit: float | Sequence[float] | FloatArra
 
 
 def _bounds(
-    network: Network, start: FloatArray, lowest: float | None, highest: float | None, factor: float
+    network: Network, start: Float, lowest: float | None, highest: float | None, factor: float
 ) -> tuple[float, float]:
     for name, value in (("lowest", lowest), ("highest", highest)):
         if value is not None and not (math.isfinite(value) and value > 0):

@@ -4,10 +4,11 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
+from cotouch.arrays import Float, Long
 from cotouch.planning._hubs import hubs
 from cotouch.planning._levels import level_of
 from cotouch.planning._problem import Problem
-from cotouch.planning._task import CONSENSUS, DECAY, DRAG, FEEL, NOTHING, FloatArray, IntArray, Task, admissible
+from cotouch.planning._task import CONSENSUS, DECAY, DRAG, FEEL, NOTHING, Task, admissible
 
 # Walks side by side, whatever the machine, so that a seed means the same everywhere; and fewer of more users.
 WALKS = 8
@@ -30,7 +31,7 @@ def side_by_side(users: int) -> int:
     return next((count for most, count in _SIDE_BY_SIDE if users <= most), _FEWEST)
 
 
-def start_of(task: Task, start: int, seed: int, fallback: IntArray) -> tuple[IntArray, float]:
+def start_of(task: Task, start: int, seed: int, fallback: Long) -> tuple[Long, float]:
     """Links that a walk begins with, and the level that a flood may begin below, 1/s; 0 for none.
 
     Args:
@@ -57,7 +58,7 @@ def start_of(task: Task, start: int, seed: int, fallback: IntArray) -> tuple[Int
     return _random(task, rng, fallback), 0.0
 
 
-def lightest(task: Task) -> IntArray:
+def lightest(task: Task) -> Long:
     """Links with the least load of all that connect the users: a spanning tree, then the others [Kruskal 1956]."""
     group, spare = list(range(task.size)), list[int]()
     chosen: list[int] = task.require.tolist()
@@ -73,12 +74,12 @@ def lightest(task: Task) -> IntArray:
     return np.sort(np.array((chosen + spare)[: len(task.require) + task.pick], dtype=np.int64))
 
 
-def _random(task: Task, rng: np.random.Generator, fallback: IntArray) -> IntArray:
+def _random(task: Task, rng: np.random.Generator, fallback: Long) -> Long:
     chosen = random_choice(task, rng)
     return fallback.copy() if chosen is None else chosen
 
 
-def random_choice(task: Task, rng: np.random.Generator) -> IntArray | None:
+def random_choice(task: Task, rng: np.random.Generator) -> Long | None:
     """A random spanning tree with random links on top; None if the limits leave none after some tries.
 
     Args:
@@ -93,11 +94,11 @@ def random_choice(task: Task, rng: np.random.Generator) -> IntArray | None:
         damping = np.zeros(task.size)
         spare: list[int] = []
 
-        def fits(e: int, degree: list[int] = degree, damping: FloatArray = damping) -> bool:
+        def fits(e: int, degree: list[int] = degree, damping: Float = damping) -> bool:
             i, j = int(task.first[e]), int(task.second[e])
             return max(degree[i], degree[j]) < task.most and max(damping[i], damping[j]) + task.load[e] <= task.limit
 
-        def take(e: int, chosen: list[int] = chosen, degree: list[int] = degree, damping: FloatArray = damping) -> None:
+        def take(e: int, chosen: list[int] = chosen, degree: list[int] = degree, damping: Float = damping) -> None:
             chosen.append(e)
             for user in (task.first[e], task.second[e]):
                 degree[user] += 1
@@ -136,7 +137,7 @@ def random_choice(task: Task, rng: np.random.Generator) -> IntArray | None:
     return None
 
 
-def begun_at(problem: Problem, links: Iterable[Sequence[int]]) -> IntArray | None:
+def begun_at(problem: Problem, links: Iterable[Sequence[int]]) -> Long | None:
     """A choice near some links: the lightest others are added, or the heaviest left out; None if that cannot be.
 
     Args:

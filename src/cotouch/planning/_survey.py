@@ -6,13 +6,13 @@ from typing import Any, final
 
 import numpy as np
 
+from cotouch.arrays import Float
 from cotouch.errors import NetworkError
 from cotouch.interrupt import check, interruptible
 from cotouch.network import Network, Pair
 from cotouch.planning._enumerate import chosen_at, values_of
 from cotouch.planning._problem import Problem, make_problem
 from cotouch.planning._result import shown
-from cotouch.planning._task import FloatArray
 
 # More choices than this are not for looking at side by side.
 _MOST = 200_000
@@ -31,7 +31,7 @@ class Survey:
     """
 
     graphs: tuple[tuple[Pair, ...], ...]
-    values: dict[str, FloatArray]
+    values: dict[str, Float]
     never: dict[str, int]
     choices: int
 
@@ -50,7 +50,7 @@ def survey(network: Network, *, links: int, objectives: dict[str, dict[str, Any]
     Raises:
         NetworkError: more than 200,000 choices, or as `plan` raises it.
     """
-    values: dict[str, FloatArray] = {}
+    values: dict[str, Float] = {}
     never: dict[str, int] = {}
     graphs: tuple[tuple[Pair, ...], ...] = ()
     choices = 0

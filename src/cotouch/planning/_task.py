@@ -1,10 +1,10 @@
 """What the search looks for, in compiled form: the pairs that may be linked, the limits on them, the objective."""
 
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Complex, Float, Long
 from cotouch.compiled import raised, routine, subroutine
 from cotouch.network import (
     Loop,
@@ -12,11 +12,6 @@ from cotouch.network import (
     slowest,
 )
 from cotouch.planning._feel import felt
-
-FloatArray: TypeAlias = npt.NDArray[np.float64]
-IntArray: TypeAlias = npt.NDArray[np.int64]
-ComplexArray: TypeAlias = npt.NDArray[np.complex128]
-BoolArray: TypeAlias = npt.NDArray[np.bool_]
 
 CONSENSUS, DECAY, DAMPING, DRAG, FEEL = range(5)
 NOTHING, LOST_LINK, LOST_USER = 0, 1, 2
@@ -52,26 +47,26 @@ class Task(NamedTuple):
 
     size: int
     objective: int
-    first: IntArray
-    second: IntArray
-    spring: FloatArray
-    to_first: FloatArray
-    to_second: FloatArray
-    lag_first: IntArray
-    lag_second: IntArray
-    load: FloatArray
-    require: IntArray
-    free: IntArray
+    first: Long
+    second: Long
+    spring: Float
+    to_first: Float
+    to_second: Float
+    lag_first: Long
+    lag_second: Long
+    load: Float
+    require: Long
+    free: Long
     pick: int
     most: int
-    modes: FloatArray
-    sync: FloatArray
+    modes: Float
+    sync: Float
     limit: float
     drag: float
     lost: int
     top: float
-    tones: FloatArray
-    stop: IntArray
+    tones: Float
+    stop: Long
 
 
 @subroutine
@@ -86,7 +81,7 @@ def mean_delay(task: Task, e: int) -> float:
 
 
 @subroutine
-def _joined(task: Task, chosen: IntArray, without_link: int, without_user: int, group: IntArray) -> bool:
+def _joined(task: Task, chosen: Long, without_link: int, without_user: int, group: Long) -> bool:
     """Whether links connect all users but one, without one of them; -1 leaves none out."""
     for u in range(task.size):
         group[u] = u
@@ -105,7 +100,7 @@ def _joined(task: Task, chosen: IntArray, without_link: int, without_user: int, 
 
 
 @routine
-def admissible(task: Task, chosen: IntArray) -> bool:
+def admissible(task: Task, chosen: Long) -> bool:
     """Whether links connect all users, also those left after a loss, and keep to the limits.
 
     Args:
@@ -159,7 +154,7 @@ def drag_of(task: Task, total: float) -> float:
 
 
 @routine
-def weight_of(task: Task, chosen: IntArray) -> float:
+def weight_of(task: Task, chosen: Long) -> float:
     """What follows from the loads alone: the largest damping, or for `DRAG` the drag of all together, Ns/m.
 
     Args:
@@ -175,7 +170,7 @@ def weight_of(task: Task, chosen: IntArray) -> float:
 
 
 @subroutine
-def _slowest_of(task: Task, loop: Loop, mode: int, guesses: ComplexArray, enough: float) -> tuple[complex, bool]:
+def _slowest_of(task: Task, loop: Loop, mode: int, guesses: Complex, enough: float) -> tuple[complex, bool]:
     """The objective of one mode's loop, as a root that has it as real part; and whether it is certain."""
     if task.objective == FEEL:
         worst = felt(loop, task.modes[mode], task.tones, enough)
@@ -189,7 +184,7 @@ def _slowest_of(task: Task, loop: Loop, mode: int, guesses: ComplexArray, enough
 
 
 @routine
-def period_of(task: Task, chosen: IntArray) -> int:
+def period_of(task: Task, chosen: Long) -> int:
     """Greatest common divisor of the total lags of all cycles of connected links: `network.cycle_period`, compiled.
 
     Args:
@@ -225,7 +220,7 @@ def period_of(task: Task, chosen: IntArray) -> int:
 
 
 @routine
-def largest_damping(task: Task, chosen: IntArray) -> float:
+def largest_damping(task: Task, chosen: Long) -> float:
     """Largest `B_i` of the rule, Ns/m.
 
     Args:
@@ -240,7 +235,7 @@ def largest_damping(task: Task, chosen: IntArray) -> float:
 
 
 @routine
-def loop_of(task: Task, chosen: IntArray, mode: int, without: int) -> Loop:
+def loop_of(task: Task, chosen: Long, mode: int, without: int) -> Loop:
     """The loop of one choice of links: the consensus, or the closed loop of one body mode; maybe without one user.
 
     Args:
@@ -285,7 +280,7 @@ def loop_of(task: Task, chosen: IntArray, mode: int, without: int) -> Loop:
 
 
 @routine
-def rate(task: Task, chosen: IntArray, guesses: ComplexArray, enough: float) -> tuple[float, bool]:
+def rate(task: Task, chosen: Long, guesses: Complex, enough: float) -> tuple[float, bool]:
     """The objective of connected links, in a form of which smaller is better.
 
     Args:

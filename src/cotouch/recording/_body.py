@@ -8,10 +8,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.body import Body, Matrix
 from cotouch.errors import BodyError, RecordingError
 from cotouch.recording._material import RecordedMaterial
@@ -58,7 +57,7 @@ class RecordedBody:
     stiffness: sp.csr_array
     weights: tuple[sp.csr_array, ...]
     modes: Float | None
-    order: npt.NDArray[np.int32] | None
+    order: Int | None
     material: RecordedMaterial | None = None
 
     @property

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, final
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.peer import LinkState
 from cotouch.recording._columns import CLOSING, SCALARS, UNSAID, Batch
 
@@ -98,7 +98,7 @@ class Buffer:
         T: float,
         state: "State",
         tools: "Tools | None",
-        used: Sequence[int] | npt.NDArray[np.int64] | None,
+        used: Sequence[int] | Long | None,
         link_state: Sequence[int] | npt.NDArray[np.int8] | None,
         extra: Extra | None,
     ) -> None:

@@ -3,22 +3,20 @@
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.errors import RecordingError
 from cotouch.recording._columns import CLOSING
 
 if TYPE_CHECKING:
     from cotouch.recording._recording import Recording
 
-Int = npt.NDArray[np.int64]
 
 # As in the kernels: below this share of the kinetic energy nothing moves about the centre of mass.
 _RIGID = 1e-9
 
 
-def reopened(recording: "Recording", at: Int, v: Float, share: float) -> tuple[Float, Float]:
+def reopened(recording: "Recording", at: Long, v: Float, share: float) -> tuple[Float, Float]:
     """Takes back what closed the steps: `v⁺ = c + β (v' - c)`, c the centre's velocity or none.
 
     Args:
@@ -45,7 +43,9 @@ def reopened(recording: "Recording", at: Int, v: Float, share: float) -> tuple[F
     return _one(recording, columns["closure"][at], columns["closure_factor"][at], v, share)
 
 
-def _several(recording: "Recording", at: Int, part: Int, closing: Float, v: Float, share: float) -> tuple[Float, Float]:
+def _several(
+    recording: "Recording", at: Long, part: Long, closing: Float, v: Float, share: float
+) -> tuple[Float, Float]:
     """Each body by itself, or with others about their common centre, which those are that say the same."""
     body = recording.header.body
     bodies, masses = closing.shape[1], body.mass.diagonal()

@@ -9,14 +9,12 @@ state was kept.
 import json
 import math
 import struct
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Array
 from cotouch.errors import RecordingError
-
-Array = npt.NDArray[Any]
 
 # One number for each step, in the order in which the recorder packs them.
 SCALARS: dict[str, tuple[str, str]] = {

@@ -18,14 +18,11 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Bool, Float
 from cotouch.peer import LinkState
 from cotouch.recording._columns import ADVANCED, EXCHANGE, GUARDS
 from cotouch.recording._recording import Recording
-
-Bool = npt.NDArray[np.bool_]
 
 
 class Life(NamedTuple):

@@ -14,16 +14,12 @@ from dataclasses import dataclass
 from typing import NamedTuple, final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Bool, Float, Long
 from cotouch.peer import LinkState
 from cotouch.recording._guards import granted, linked_steps
 from cotouch.recording._motion import Motion
 from cotouch.recording._recording import Recording
-
-Bool = npt.NDArray[np.bool_]
-Int = npt.NDArray[np.int64]
 
 ABSENT = -1
 _STATES = {ABSENT: "absent"} | {int(state): state.name.lower() for state in LinkState}
@@ -330,13 +326,13 @@ class _Path:
         before, after = self._knot(left), self._knot(right)
         return before + part[:, None, None] * (after - before)
 
-    def _knot(self, knots: Int) -> Float:
+    def _knot(self, knots: Long) -> Float:
         step = knots // 2
         ends = self._x[step]
         return np.where((knots % 2 == 0)[:, None, None], 2.0 * self._middle[step] - ends, ends)
 
 
-def _at_grid(motion: Motion, values: npt.NDArray[np.float64], grid: Float) -> Float:
+def _at_grid(motion: Motion, values: Float, grid: Float) -> Float:
     """What a step says, at the instants up to its end: entry g holds between grid[g - 1] and grid[g]."""
     step = np.searchsorted(motion.end, grid - 1e-9).clip(0, values.size - 1)
     return values[step]

@@ -5,10 +5,9 @@ from dataclasses import fields
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Float
+from cotouch.arrays import Bool, Float
 from cotouch.body import Body, Material, Skin, SumOfSquares, grip_shares
 from cotouch.errors import BodyError
 from cotouch.recording._outside import Outside
@@ -19,7 +18,6 @@ if TYPE_CHECKING:  # reading a recording needs no kernels
     from cotouch.mechanics import Between, Cutting, Model, Obstacle
     from cotouch.mechanics import World as Around
 
-Bool = npt.NDArray[np.bool_]
 _INNER, _OUTER = ("damping_int", "stiffness_int"), ("mass", "damping_ext", "stiffness_ext")
 _PARTS = ("data", "indices", "indptr")
 _PREFIX, _SKIN, _WORLD = "material_", "skin_", "world_"

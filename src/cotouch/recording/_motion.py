@@ -9,9 +9,8 @@ from dataclasses import dataclass
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Bool, Float, Long
 from cotouch.errors import RecordingError
 from cotouch.peer import LinkState
 from cotouch.recording._body import RecordedBody
@@ -20,9 +19,6 @@ from cotouch.recording._columns import UNSAID
 from cotouch.recording._outside import Outside, cut_steps, outside_of, scale_of, sunk_of
 from cotouch.recording._recording import Recording, Setup
 from cotouch.recording._said import told
-
-Bool = npt.NDArray[np.bool_]
-Int = npt.NDArray[np.int64]
 
 # Of a stamp that went through two clocks' numbers and back [s].
 _SAME_STAMP = 1e-6
@@ -179,7 +175,7 @@ class _Steps:
         self,
         body: RecordedBody,
         recording: Recording,
-        chosen: Int,
+        chosen: Long,
         T: Float,
         setup: Setup,
         scale: Float,
@@ -268,7 +264,7 @@ class _Steps:
                 work += np.einsum("sa,sa->s", force[:, port, : rate.shape[2]], rate[:, node])
         return self.T * work
 
-    def link(self, entry: int, column: int, other: Recording | None, at: Int) -> tuple[Float, Bool]:
+    def link(self, entry: int, column: int, other: Recording | None, at: Long) -> tuple[Float, Bool]:
         """Work of a link, from the neighbour's own recording of the sample that was used, and where that was found."""
         work, found = np.zeros(at.size), np.zeros(at.size, dtype=bool)
         if other is None or self.setup.law != "spring":
@@ -293,7 +289,7 @@ class _Steps:
         return work, found
 
 
-def _samples(other: Recording, used: Int, stamp: Float) -> Int:
+def _samples(other: Recording, used: Long, stamp: Float) -> Long:
     """Which recorded states of the neighbour are the samples that were used: by index, else by stamp; -1: none."""
     rows = other.states["state_row"]
     if rows.size == 0:

@@ -3,15 +3,12 @@
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.errors import RecordingError
 
 if TYPE_CHECKING:
     from cotouch.recording._recording import Recording
-
-Int = npt.NDArray[np.int64]
 
 
 class Outside(NamedTuple):
@@ -92,7 +89,7 @@ def cut_steps(recording: "Recording") -> Float:
     return found
 
 
-def sunk_of(scale: Float, rows: Int, potential: Float) -> Float:
+def sunk_of(scale: Float, rows: Long, potential: Float) -> Float:
     """Of what came with a change of share, what counts from the lowest place at which that fell, (steps,) [J].
 
     Args:

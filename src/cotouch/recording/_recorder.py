@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, final
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import Float, Int, Long
 from cotouch.recording._buffer import Buffer, Extents, Extra
 from cotouch.recording._disk import NewFile
 from cotouch.recording._file import RecordingFile
@@ -134,12 +135,12 @@ class Recorder:
         *,
         copies: int,
         neighbours: Sequence[int],
-        strength: Sequence[float] | npt.NDArray[np.float64],
-        weight: Sequence[int] | npt.NDArray[np.int32] | None = None,
-        local_damping: Sequence[float] | npt.NDArray[np.float64] = (0.0,),
-        extra_damping: Sequence[float] | npt.NDArray[np.float64] = (0.0,),
+        strength: Sequence[float] | Float,
+        weight: Sequence[int] | Int | None = None,
+        local_damping: Sequence[float] | Float = (0.0,),
+        extra_damping: Sequence[float] | Float = (0.0,),
         ports: Sequence[int] | None = (),
-        tool_mass: Sequence[float] | npt.NDArray[np.float64] = (),
+        tool_mass: Sequence[float] | Float = (),
         link_damping: Sequence[float] | None = None,
         rounding: float = 0.0,
         **fields: Any,
@@ -188,7 +189,7 @@ class Recorder:
         T: float,
         state: "State",
         tools: "Tools | None" = None,
-        used: Sequence[int] | npt.NDArray[np.int64] | None = None,
+        used: Sequence[int] | Long | None = None,
         link_state: Sequence[int] | npt.NDArray[np.int8] | None = None,
         extra: Extra | None = None,
     ) -> None:

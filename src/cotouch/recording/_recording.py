@@ -7,17 +7,13 @@ from functools import cached_property
 from typing import Any, NamedTuple, final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Array, Bool, Float
 from cotouch.errors import RecordingError
 from cotouch.peer import ROUNDED, Codec, LinkState
 from cotouch.recording._columns import EXCHANGE, GUARDS, SAID, STATES, UNSAID, Batch
 from cotouch.recording._header import RecordHeader
 from cotouch.units import user_number
-
-Array = npt.NDArray[Any]
-Int = npt.NDArray[np.int64]
 
 _LINKS = ("link_work", "age", "used", "link_state")
 # What a column of integers says where there is no link.
@@ -141,7 +137,7 @@ class Recording:
         return any(event.kind == "closed" for event in self.events)
 
     @cached_property
-    def consecutive(self) -> npt.NDArray[np.bool_]:
+    def consecutive(self) -> Bool:
         """Whether each step follows the one before it in the recording, (steps,); the first one does not."""
         follows = np.zeros(self.steps, dtype=bool)
         follows[1:] = np.diff(self.columns["index"]) == 1

@@ -7,19 +7,17 @@ how it went on, to the last bit (`cotouch.peer.ContentForm`).
 from collections import deque
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.laws import SPRING
 from cotouch.peer import FULL, ROUNDED, Content, ContentForm
 from cotouch.recording._columns import SAID
 from cotouch.recording._recording import Recording
 
-Int = npt.NDArray[np.int64]
 _ASTRAY = 1e12  # [m²]
 
 
-def told(recording: Recording, user: int, places: Int) -> Float:
+def told(recording: Recording, user: int, places: Long) -> Float:
     """Positions as a neighbour was told them, (places, rows, axes); NaN where that cannot be said [m].
 
     Args:
@@ -118,7 +116,7 @@ def _worst(wrong: Float, stamp: Float, T: Float, window: float) -> Float:
     return out
 
 
-def _before(said: Float) -> Int:
+def _before(said: Float) -> Long:
     """The last step before each of which something was said on the same link; -1: none that is known."""
     steps = np.arange(said.size)
     last = np.maximum.accumulate(np.where(said >= FULL, steps, -1))

@@ -5,16 +5,13 @@
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Bool, Float, Int
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Model, Ports, at, kernel, path_place, put, splat, store
 from cotouch.passing import by_address
 from cotouch.scenario._tables import HandTable
-
-Int = npt.NDArray[np.int32]
 
 
 @by_address
@@ -45,7 +42,7 @@ class Hands(NamedTuple):
     damping: Float
     begin: Float
     release: Float
-    forced: npt.NDArray[np.bool_]
+    forced: Bool
     path_first: Int
     path_time: Float
     path_value: Float

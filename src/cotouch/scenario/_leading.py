@@ -6,17 +6,14 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.mechanics import Model, Ports, at, block, load, part, put, store
 from cotouch.passing import by_address
 from cotouch.scenario._rigid_tool_table import RigidToolTable
 from cotouch.scenario._rigid_tools import RigidTool
 from cotouch.scenario._tools import touching_of
 from cotouch.scenario._touching import FOUR, Touching, after_step, before_step
-
-Int = npt.NDArray[np.int32]
 
 
 @by_address

@@ -3,11 +3,8 @@
 import math
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
-
-Int = npt.NDArray[np.int32]
+from cotouch.arrays import Bool, Float, Int
 
 # Places along each axis of what the boxes around two surfaces have in common.
 _ALONG = 4
@@ -34,7 +31,7 @@ def overlap(one: tuple[Float, Int], two: tuple[Float, Int]) -> float:
     return max((min(_distance(place, *one), _distance(place, *two)) for place in places), default=0.0)
 
 
-def _inside(places: Float, vertices: Float, triangles: Int) -> npt.NDArray[np.bool_]:
+def _inside(places: Float, vertices: Float, triangles: Int) -> Bool:
     """Whether each place is enclosed, by the solid angle of all triangles [Van Oosterom & Strackee 1983]."""
     result = np.zeros(places.shape[0], dtype=np.bool_)
     for k, place in enumerate(places):

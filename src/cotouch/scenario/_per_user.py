@@ -1,12 +1,12 @@
 """One number for all users, or one for each."""
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import ScenarioError
 
 
-def per_user(value: float | list[float], users: int, name: str) -> npt.NDArray[np.float64]:
+def per_user(value: float | list[float], users: int, name: str) -> Float:
     """One number for all users, or a list with one for each.
 
     Args:

@@ -10,16 +10,14 @@ from itertools import pairwise
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.body import SIGNS, Body, Part, Placed, ToolBody, scaled, shares_of, turning
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Model
 from cotouch.scenario._hands import Hands
 from cotouch.scenario._rigid_tool_table import PoseHand, RigidToolTable
 
-Int = npt.NDArray[np.int32]
 # Between waypoints the four points go straight for at most such an angle [rad], so that they keep their distances to
 # 4e-5; and a path has at most so many pieces.
 # A light tool with a lever would yield as a spring does: its strains swing so many times as fast as of other bodies.

@@ -5,9 +5,8 @@
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.device import (
     DEVICE_LEDGER,
     Couplings,
@@ -20,8 +19,6 @@ from cotouch.device import (
 from cotouch.mechanics import AWAY, Contact, Ports, Surface, Tools, at, block, load, own_tools, part, put, store
 from cotouch.passing import by_address
 from cotouch.scenario._hands import Hands, grip
-
-Int = npt.NDArray[np.int32]
 
 FOUR = (0, 0, 0, 0)
 

@@ -5,10 +5,9 @@ from pathlib import Path
 from typing import Annotated, Literal, Self, final
 
 import numpy as np
-import numpy.typing as npt
 from pydantic import ConfigDict, Field, model_validator
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.errors import ScenarioError
 from cotouch.files import read_text
 from cotouch.scenario._tables import Positive, Table
@@ -141,7 +140,7 @@ class TraceTable(Table):
         at = names.index(column)
         fields = [row[at].strip() if at < len(row) else "" for row in rows]
         values = np.array([_number(field) for field in fields])
-        wrong: npt.NDArray[np.int64] = np.flatnonzero(~(np.isfinite(values) & (values >= 0.0)))
+        wrong: Long = np.flatnonzero(~(np.isfinite(values) & (values >= 0.0)))
         if wrong.size:
             line = int(wrong[0])
             raise ScenarioError(

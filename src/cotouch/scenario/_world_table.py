@@ -6,10 +6,9 @@ from pathlib import Path
 from typing import Annotated, final
 
 import numpy as np
-import numpy.typing as npt
 from pydantic import Field, FiniteFloat
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.body import Unit, closed_surface, turning
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import (
@@ -27,8 +26,6 @@ from cotouch.mechanics import (
 )
 from cotouch.scenario._overlap import overlap
 from cotouch.scenario._tables import MeetingTable, NonNegative, Place, Positive, Table
-
-Int = npt.NDArray[np.int32]
 
 _MOST = 16
 # A copy may begin as deep in an obstacle as this share of its size.

@@ -4,11 +4,8 @@ import struct
 from itertools import combinations
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
-
-Ints = npt.NDArray[np.int64]
+from cotouch.arrays import Float, Long
 
 # Half its width and half its height [m].
 HALF, THICK = 0.12, 0.05
@@ -20,7 +17,7 @@ _SQUARE = 3.5
 _EARS, _DENT = 0.06, 0.35
 
 
-def cushion() -> tuple[Float, Ints]:
+def cushion() -> tuple[Float, Long]:
     """Vertices, (1962, 3) [m], and triangles, (3920, 3), counter-clockwise seen from outside."""
     ball, corners = _sphere(_PIECES)
     x, y, z = ball.T
@@ -33,7 +30,7 @@ def cushion() -> tuple[Float, Ints]:
     return points, corners
 
 
-def stl(points: Float, corners: Ints) -> bytes:
+def stl(points: Float, corners: Long) -> bytes:
     """A surface as a binary STL file.
 
     Args:
@@ -48,7 +45,7 @@ def stl(points: Float, corners: Ints) -> bytes:
     return b"cotouch cushion".ljust(80) + struct.pack("<I", len(corners)) + record.tobytes()
 
 
-def _sphere(pieces: int) -> tuple[Float, Ints]:
+def _sphere(pieces: int) -> tuple[Float, Long]:
     """A sphere of radius 1, evenly covered: an icosahedron with its faces divided and pushed out."""
     golden = 0.5 * (1.0 + np.sqrt(5.0))
     tips = np.array([p for s in (1, -1) for t in (golden, -golden) for p in ((0, s, t), (s, t, 0), (t, 0, s))], float)

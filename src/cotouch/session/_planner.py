@@ -3,8 +3,8 @@
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Float
 from cotouch.errors import CotouchError, SessionError, UnsupportedError
 from cotouch.members import Pair, SessionFile, delays_of
 from cotouch.network import Network
@@ -95,7 +95,7 @@ def notable_links(session: SessionFile) -> dict[str, list[Pair]]:
     return choices | {"best": sorted(found.best.links), "worst": sorted(found.worst.links)}
 
 
-def _search(network: Network, links: int, objective: Objective, modes: dict[str, npt.NDArray[np.float64]]) -> Plan:
+def _search(network: Network, links: int, objective: Objective, modes: dict[str, Float]) -> Plan:
     if compiles():  # which is not to use up the time
         two = Network(users=["1", "2"], spring=[[0.0, 1.0], [1.0, 0.0]], delay=[[0.0, 0.1], [0.1, 0.0]])
         plan(two, links=1, objective=objective, time_unit=_TIME_UNIT, jobs=1)
@@ -114,7 +114,7 @@ def _search(network: Network, links: int, objective: Objective, modes: dict[str,
     )
 
 
-def _modes(session: SessionFile) -> dict[str, npt.NDArray[np.float64]]:
+def _modes(session: SessionFile) -> dict[str, Float]:
     """The body's modes; of one that has none by itself, or is too large, that of its whole mass moving freely."""
     body = session.scenario.build_body()
     try:

@@ -13,14 +13,13 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch import drawing
+from cotouch.arrays import Int, Single
 from cotouch.body import Skin
 from cotouch.errors import BodyError, InputError, NetworkError
 from cotouch.files import prepare, write
 from cotouch.mechanics import Shape, Solid, shape_table
 from cotouch.simulation._animation_checks import (
     Float,
-    Int,
-    Single,
     corners_of,
     field_of,
     indices_of,

@@ -6,11 +6,8 @@ from typing import Any, cast
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int, Single
 from cotouch.errors import BodyError, InputError, NetworkError
-
-Single = npt.NDArray[np.float32]
-Int = npt.NDArray[np.int32]
 
 
 def keep_frozen(thing: object, **values: object) -> None:

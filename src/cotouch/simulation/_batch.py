@@ -6,9 +6,8 @@ from itertools import pairwise
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int, Long
 from cotouch.errors import ScenarioError
 from cotouch.interrupt import check, flag
 from cotouch.mechanics import LEDGER_COLUMNS, Links, State, cutting_of, idle_ports, own_ports, unsettled
@@ -47,9 +46,9 @@ class Traffic:
         size: of all of them, without headers, (slots,) [bytes].
     """
 
-    contents: npt.NDArray[np.int64]
-    unchanged: npt.NDArray[np.int64]
-    size: npt.NDArray[np.int64]
+    contents: Long
+    unchanged: Long
+    size: Long
 
 
 @final
@@ -75,7 +74,7 @@ class Outcome:
     position: Float
     velocity: Float
     events: int
-    taken: npt.NDArray[np.int32]
+    taken: Int
     tools: ToolRecord | None
     frames: Float
     frame_time: Float

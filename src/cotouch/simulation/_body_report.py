@@ -7,9 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.body import Body, Skin, lowest_modes
 from cotouch.drawing import INK, MUTED, USERS, WIDTH, drawn, prefix, sheet, style
 from cotouch.errors import ScenarioError
@@ -19,7 +18,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from mpl_toolkits.mplot3d import Axes3D
 
-Ints = npt.NDArray[np.int64]
 
 # Modes that bend the body, besides the rigid ones.
 _MODES: Final = 6
@@ -163,7 +161,7 @@ def _title(figure: "Figure", x: float, y: float, text: str) -> None:
 
 
 def _surface(
-    panel: "Axes3D", vertices: Float, triangles: Ints, *, shade: Float | None = None, alpha: float = 1.0
+    panel: "Axes3D", vertices: Float, triangles: Long, *, shade: Float | None = None, alpha: float = 1.0
 ) -> None:
     """Triangles lit from the upper left, coloured by `shade` from 0 to 1 if there is one."""
     import matplotlib as mpl
@@ -233,7 +231,7 @@ def _directions(figure: "Figure", x: float, y: float) -> None:
         figure.text(x + 1.4 * across, y + 1.4 * along, name, color=MUTED, fontsize=7.0, ha="center", va="center")
 
 
-def _coarser(skin: Skin) -> tuple[Float, Ints, Ints]:
+def _coarser(skin: Skin) -> tuple[Float, Long, Long]:
     """The skin with few enough triangles to draw: vertices of one cell of a grid become one of them.
 
     Returns:

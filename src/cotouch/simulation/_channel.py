@@ -4,14 +4,13 @@ from collections.abc import Callable
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Bool, Float, Long
 from cotouch.passing import by_address
 from cotouch.scenario import Channel, Trace
 
 # Further delay of some messages of one direction, by their numbers and how long after the others they are sent [s].
-Measured: TypeAlias = Callable[[npt.NDArray[np.int64], float], Float]
+Measured: TypeAlias = Callable[[Long, float], Float]
 
 # A message that was lost this often in a row is taken to arrive with the next try; beyond any loss rate of use.
 _MOST_TRIES = 1000
@@ -129,7 +128,7 @@ def resent(
 
 def _jitter(
     channel: Channel,
-    index: npt.NDArray[np.int64],
+    index: Long,
     rng: np.random.Generator,
     measured: Measured | None,
     later: float = 0.0,
@@ -150,7 +149,7 @@ def _jitter(
             return np.abs(rng.normal(0.0, scale, count))
 
 
-def _lost(channel: Channel, count: int, rng: np.random.Generator) -> npt.NDArray[np.bool_]:
+def _lost(channel: Channel, count: int, rng: np.random.Generator) -> Bool:
     lost = np.zeros(count, dtype=bool)
     if channel.loss > 0.0:
         lost |= rng.random(count) < channel.loss

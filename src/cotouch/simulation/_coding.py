@@ -1,9 +1,8 @@
 """What a perceptual codec asks of a run: what cannot have one, the ages that it may cause, and its damping."""
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.errors import ScenarioError
 from cotouch.laws import Law
 from cotouch.mechanics import WEIGHTS, Model
@@ -13,7 +12,7 @@ from cotouch.simulation._schedule import Schedule
 from cotouch.simulation._timing import ages, newest
 
 
-def check_codec(scenario: Scenario, ready: Model, law: Law, weight: npt.NDArray[np.int32]) -> None:
+def check_codec(scenario: Scenario, ready: Model, law: Law, weight: Int) -> None:
     """Refuses what a codec cannot serve.
 
     Args:

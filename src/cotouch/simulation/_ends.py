@@ -5,12 +5,12 @@
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Int, Long
 from cotouch.laws import End, Part, feel, hand, handed
 from cotouch.mechanics import BodyForce, Contact, Ports, at, inner, put, tell_push
 from cotouch.passing import by_address
-from cotouch.simulation._layout import Float, Int, Timing, Topology
+from cotouch.simulation._layout import Float, Timing, Topology
 
 
 @by_address
@@ -71,17 +71,17 @@ class Ends(NamedTuple):
     shared: Float
     shared_scalars: Float
     first: int
-    slot: npt.NDArray[np.int64]
+    slot: Long
     push: Float
     push_rows: Float
     gains: Float
     stiffness: Float
     brake: Float
-    words: npt.NDArray[np.int64]
+    words: Long
 
 
 @inner
-def ask(ends: Ends, topology: Topology, timing: Timing, where: npt.NDArray[np.int64], i: int, k: int, T: float) -> bool:
+def ask(ends: Ends, topology: Topology, timing: Timing, where: Long, i: int, k: int, T: float) -> bool:
     """Lets the law say what the links of user i do in step k; False if it says what no link can be.
 
     Args:
@@ -162,7 +162,7 @@ def _end(
     ends: Ends,
     topology: Topology,
     timing: Timing,
-    where: npt.NDArray[np.int64],
+    where: Long,
     s: int,
     i: int,
     k: int,

@@ -5,9 +5,8 @@ from dataclasses import dataclass
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.errors import ScenarioError
 from cotouch.laws import END_WORDS, Facts, Law, law_named
 from cotouch.mechanics import WEIGHTS, Model
@@ -51,7 +50,7 @@ def given_law(scenario: Scenario) -> tuple[Law, Mapping[str, float | str]]:
     return law, given
 
 
-def facts_of(scenario: Scenario, ready: Model, timing: Schedule, weight: npt.NDArray[np.int32]) -> list[Facts]:
+def facts_of(scenario: Scenario, ready: Model, timing: Schedule, weight: Int) -> list[Facts]:
     """What is known of the end of every slot.
 
     Args:
@@ -94,9 +93,7 @@ def facts_of(scenario: Scenario, ready: Model, timing: Schedule, weight: npt.NDA
     return result
 
 
-def law_setup(
-    scenario: Scenario, ready: Model, timing: Schedule, weight: npt.NDArray[np.int32], start: Float
-) -> LawSetup | None:
+def law_setup(scenario: Scenario, ready: Model, timing: Schedule, weight: Int, start: Float) -> LawSetup | None:
     """The law of a scenario's links; None for springs, which the kernels have built in, but for those with a codec.
 
     Args:

@@ -2,14 +2,9 @@
 
 from typing import NamedTuple
 
-import numpy as np
-import numpy.typing as npt
-
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int, Long
 from cotouch.mechanics import Links, Ports, State, Tools, Workspace
 from cotouch.passing import Each, by_address
-
-Int = npt.NDArray[np.int32]
 
 # Rows of `Record.users`: cumulative work and losses, energies now [J], iterations of the last solve.
 USER_LEDGER = ("supplied", "body_loss", "local_loss", "extra_loss", "kinetic", "elastic", "iterations")
@@ -70,7 +65,7 @@ class Timing(NamedTuple):
     used: Int
     ring: int
     reference: int
-    stop: npt.NDArray[np.int64]
+    stop: Long
 
 
 @by_address
@@ -163,7 +158,7 @@ class Scratch(NamedTuple):
     work: Workspace
     ledger: Float
     link_work: Float
-    slot: npt.NDArray[np.int64]
+    slot: Long
     counter: Int
     cursor: Int
     slot_running: Float

@@ -13,9 +13,8 @@ from typing import Any, Final, final
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Single
 
-Single = npt.NDArray[np.float32]
 Levels = npt.NDArray[np.uint16]
 
 LEVELS: Final = 2**16 - 1

@@ -5,10 +5,9 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal, final
 
 import numpy as np
-import numpy.typing as npt
 from pydantic import ValidationError
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Model, model
@@ -32,8 +31,6 @@ from cotouch.simulation._law_setup import LawSetup, given_law, law_setup
 from cotouch.simulation._layout import Topology
 from cotouch.simulation._memory import free_memory, needed, refuse_beyond
 from cotouch.simulation._schedule import Schedule, schedule
-
-Int = npt.NDArray[np.int32]
 
 # Up to this many nodes all of them are recorded unless a scenario says otherwise.
 _ALL_NODES = 64

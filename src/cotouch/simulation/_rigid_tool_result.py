@@ -3,9 +3,8 @@
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.body import SIGNS, axial, frame_of, shares_of, turn_vectors
 from cotouch.scenario import RigidTool, rows_of
 from cotouch.simulation._layout import Record
@@ -32,7 +31,7 @@ def masses_of(prepared: Prepared) -> int:
     return _MASSES * len(prepared.rigid_tools)
 
 
-def with_masses(prepared: Prepared, shape: Float, rows: npt.NDArray[np.int32]) -> tuple[Float, npt.NDArray[np.int32]]:
+def with_masses(prepared: Prepared, shape: Float, rows: Int) -> tuple[Float, Int]:
     """What reads recorded nodes, and behind them the masses of rigid tools.
 
     Args:

@@ -5,17 +5,14 @@ from functools import cached_property
 from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int, Long
 from cotouch.errors import ScenarioError
 from cotouch.network import Network
 from cotouch.scenario import Mode, Scenario
 from cotouch.simulation._channel import Draws, Measured, certain, draw, measured_at, resent
 from cotouch.simulation._clocks import bound_apart, bound_together, step_lengths, together
 from cotouch.simulation._timing import ages, elapsed, indexed, newest, ring_size, self_paced
-
-Int = npt.NDArray[np.int32]
 
 # Self-pacing waits for the samples that N_ij does not cover; one in a hundred keeps the pace near the nominal one.
 _SELF_PACED_QUANTILE = 0.99
@@ -68,7 +65,7 @@ class Schedule:
 
     mode: Mode
     slots: Slots
-    count: npt.NDArray[np.int64]
+    count: Long
     end: Float
     length: Float
     nominal: Float
@@ -78,8 +75,8 @@ class Schedule:
     used: Int
     ring: int
     reference: int
-    index_delay: npt.NDArray[np.int64] | None
-    underruns: npt.NDArray[np.int64]
+    index_delay: Long | None
+    underruns: Long
     draws: list[Draws]
     latency: Float | None
 
@@ -184,15 +181,15 @@ def _freshest(scenario: Scenario, network: Network, slots: Slots) -> Schedule:
 def _finish(
     mode: Mode,
     slots: Slots,
-    count: npt.NDArray[np.int64],
+    count: Long,
     end: Float,
     length: Float,
     nominal: Float,
     bound: Float,
     behind: Float,
     used: Int,
-    delay: npt.NDArray[np.int64] | None,
-    underruns: npt.NDArray[np.int64],
+    delay: Long | None,
+    underruns: Long,
     draws: list[Draws],
     latency: Float | None,
 ) -> Schedule:
@@ -271,7 +268,7 @@ def _latencies(scenario: Scenario, network: Network, slots: Slots, draws: list[D
 
 def _index_delays(
     scenario: Scenario, network: Network, slots: Slots, latency: Float, nominal: Float, end: Float
-) -> npt.NDArray[np.int64]:
+) -> Long:
     """N_ij as given, or as many steps as the latencies ask for: all alike, else as the common index takes them.
 
     Of self-paced users, whose steps follow from N_ij, the shortest that the slowest may take counts.

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.body import Body, CutSkin, cut_skin, drawn_parts
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Shape
@@ -123,7 +123,7 @@ def _colours(bodies: list[dict[str, Any]]) -> list[str | None]:
     return [one.get("color") for one in bodies for _ in range(one.get("copies", 1))]
 
 
-def _edges(body: Body) -> npt.NDArray[np.int64]:
+def _edges(body: Body) -> Long:
     """Pairs of nodes that a spring joins, (E, 2)."""
     per = 1 if body.form == "node" else body.dimension
     springs = body.stiffness_int.tocoo()

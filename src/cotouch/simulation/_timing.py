@@ -3,12 +3,9 @@
 # pyright: reportArgumentType=false, reportReturnType=false
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.mechanics import at, kernel, put
-
-Int = npt.NDArray[np.int32]
 
 
 @kernel

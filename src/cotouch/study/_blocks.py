@@ -10,13 +10,10 @@ from dataclasses import dataclass
 from typing import Any, final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.device import DEVICE_LEDGER, excess_bound
 from cotouch.simulation import TOOL_LEDGER, USER_LEDGER, Outcome, Prepared
-
-Int = npt.NDArray[np.int64]
 
 _BOOK = {name: row for row, name in enumerate(USER_LEDGER + TOOL_LEDGER)}
 _DEVICE = {name: row for row, name in enumerate(DEVICE_LEDGER)}
@@ -199,7 +196,7 @@ def blocks(prepared: Prepared, outcome: Outcome) -> Blocks:
     )
 
 
-def _steps(order: Int, users: int) -> Int:
+def _steps(order: Long, users: int) -> Long:
     """Of every event, which step of its user it is, from 1."""
     step = np.zeros(order.size, dtype=np.int64)
     for user in range(users):

@@ -4,8 +4,8 @@ import math
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Complex, Float
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.network import Network, rule_damping
 from cotouch.scenario import Scenario
@@ -100,7 +100,7 @@ def _scenario(
     )
 
 
-def _slowest(signals: npt.NDArray[np.float64], step: float) -> float:
+def _slowest(signals: Float, step: float) -> float:
     """Largest real part (1/s) of the exponentials that signals (users, samples) are sums of."""
     columns = signals.shape[1] - _DEPTH
     scale = float(np.abs(signals).max(initial=0.0))
@@ -114,7 +114,7 @@ def _slowest(signals: npt.NDArray[np.float64], step: float) -> float:
     values = values[np.abs(values) > 1e-3]
     # Each counts from that end of the window where it is largest, so that no power exceeds 1, whatever the value.
     count: int = signals.shape[1]
-    logs: npt.NDArray[np.complex128] = np.log(values)
+    logs: Complex = np.log(values)
     largest = np.where(logs.real > 0.0, count - 1, 0)
     fractions, *_ = np.linalg.lstsq(
         np.exp(logs * (np.arange(count)[:, None] - largest)), signals.T / scale, rcond=1e-12

@@ -4,9 +4,8 @@ from dataclasses import dataclass
 from typing import Any, final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.network import Network
 from cotouch.scenario import Mode
 from cotouch.simulation import Outcome, Prepared, prepare, run_batch
@@ -86,7 +85,7 @@ class Solid:
     below: Blocks
     claims: tuple[tuple[Claim, ...], ...]
     places: Float
-    triangles: npt.NDArray[np.int64]
+    triangles: Long
     radii: Float
 
     @property

@@ -5,10 +5,9 @@
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
 
 from cotouch import drawing
-from cotouch.arrays import Float
+from cotouch.arrays import Bool, Float, Long
 from cotouch.study._blocks import Blocks
 from cotouch.study._scene import DURATION, RELEASE
 from cotouch.study._solid import BELOW, Solid
@@ -17,7 +16,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Int = npt.NDArray[np.int64]
 
 # The eye: from the front, the left and above [degrees]; user 4 is at the back.
 _TURN, _LIFT = -62.0, 24.0
@@ -74,7 +72,7 @@ def _flat(points: Float, turn: float) -> Float:
     return np.stack([points @ right, points @ up], axis=-1)
 
 
-def _solid(panel: "Axes", found: Solid, moved: Float, users: Int, *, turn: float) -> None:
+def _solid(panel: "Axes", found: Solid, moved: Float, users: Long, *, turn: float) -> None:
     """A displaced body: shaded faces that look at the eye, the grid on them, where it was at rest, tools and forces."""
     from matplotlib.patches import PathPatch
 
@@ -122,7 +120,7 @@ def _path(polygons: Float) -> Any:
     return Path(points, codes)
 
 
-def _grid(found: Solid, places: Float, front: npt.NDArray[np.bool_], turn: float) -> Any:
+def _grid(found: Solid, places: Float, front: Bool, turn: float) -> Any:
     """Springs on the faces that are seen; the diagonals of the triangles are none."""
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path

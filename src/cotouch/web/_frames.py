@@ -5,14 +5,12 @@ from collections.abc import Collection, Mapping
 from typing import Final, final
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 
+from cotouch.arrays import Float, Single
 from cotouch.body import Body, cut_skin, drawn_skin, drawn_tools
 from cotouch.observers import CopyView
 from cotouch.web._protocol import COPY, DIRECT, HAS_HAND, HEADER, VERSION, mode_index
-
-Single = npt.NDArray[np.float32]
 
 _FRAME: Final = 1
 _MOST: Final = 32_767
@@ -43,7 +41,7 @@ class FrameEncoder:
         self._table: sp.csr_array | None = None
         self.points = body.nodes
         self._tools: list[tuple[int, int, int]] = []
-        self._ways: list[npt.NDArray[np.float64]] = []
+        self._ways: list[Float] = []
         self._reach = 1.0  # a point moves at most so many times as far as the node that moves farthest
         skin = drawn_skin(body)
         if skin is not None:

@@ -9,17 +9,14 @@ from dataclasses import dataclass
 from typing import NamedTuple, final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int, Long
 from cotouch.compiled import routine, subroutine
 from cotouch.errors import ScenarioError
 from cotouch.laws import Law, law_named
 from cotouch.mechanics import Ports, idle_ports
 from cotouch.scenario import Hands, grip
 from cotouch.simulation import Prepared
-
-Int = npt.NDArray[np.int32]
 
 
 class Run(NamedTuple):
@@ -248,7 +245,7 @@ def _gripped(
     hands: Hands,
     held: Ports,
     cursor: Int,
-    owner: npt.NDArray[np.int64],
+    owner: Long,
     end: Float,
     length: Float,
     stiffness: Float,

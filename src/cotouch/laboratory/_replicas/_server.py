@@ -7,11 +7,10 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int, Long
 from cotouch.compiled import routine, subroutine
-from cotouch.laboratory._replicas._replica import Int, Replica, Run, advance, body_energy
+from cotouch.laboratory._replicas._replica import Replica, Run, advance, body_energy
 from cotouch.laws import END_WORDS, End, Facts, Law, Part, hand, handed
 
 _LIGHT = 0.05  # [kg]
@@ -58,7 +57,7 @@ class Spokes(NamedTuple):
     ends: Float
     felt: Float
     state: Float
-    words: npt.NDArray[np.int64]
+    words: Long
 
 
 @subroutine
