@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
+from cotouch.arrays import Float
 from cotouch.network import Network, characteristic, closed_loop, generator_eigenvalues, rightmost
 from cotouch.network._definite import definite, negatives
 from cotouch.network._elimination import REGULAR, cut, evaluate, scratch
 from cotouch.network._rightmost import count_right
-from cotouch.network._types import FloatArray
 
 
 def sparse(users: int, links: int, seed: int) -> Network:
@@ -49,7 +49,7 @@ def test_negative_eigenvalues_on_the_real_axis_are_counted():
     seen = set()
     for line in np.linspace(-3.0, -0.05, 30):
         mean = (loop.to_first + loop.to_second) / 2
-        matrix: FloatArray = np.diag((loop.mass * line + loop.drag) * line + loop.rigid)
+        matrix: Float = np.diag((loop.mass * line + loop.drag) * line + loop.rigid)
         pull = loop.spring * np.exp(-line * mean)
         matrix[loop.first, loop.second] = matrix[loop.second, loop.first] = -pull
         expected = int((np.linalg.eigvalsh(matrix) < 0).sum())

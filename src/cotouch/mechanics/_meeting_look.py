@@ -13,6 +13,8 @@ from cotouch.mechanics._world import World
 
 # A step may go so many times as far as it would at the speed where it begins, before what is near is looked for anew.
 _AHEAD = 2.0
+# And is looked for anew for a motion so many times shorter: what is far may be found instead of what is near.
+_GENEROUS = 4.0
 
 
 @inner
@@ -176,8 +178,9 @@ def make_ready(world: World, m: Meeting, memory: Float, x: Float, ahead: Float) 
         )
         farthest = max(farthest, dx * dx + dy * dy + dz * dz)
     farthest = math.sqrt(farthest)
-    if at(m.entries, 0) == 0 or farthest > at(m.bound, 0):
-        gather(world, m, memory, x, max(_AHEAD * farthest, m.slack))
+    bound = max(_AHEAD * farthest, m.slack)
+    if at(m.entries, 0) == 0 or farthest > at(m.bound, 0) or at(m.bound, 0) > _GENEROUS * bound:
+        gather(world, m, memory, x, bound)
     if at(m.entries, 1) > 0:
         for b in range(m.moves):
             if at(m.touched, b) != 0:
