@@ -4,8 +4,8 @@
 
 What waits in real time leaves most of a machine idle, so everything else runs beside it. Beside what must come within
 milliseconds that is what only computes, and it runs only while nothing else wants a core. Beside other real sessions
-and networks, which have patience for seconds, it is the rest, with a tenth of their weight: nothing there has to wait
-so long that it gives up.
+and networks, which have patience for seconds, it is what is left of that, and then the rest, with a tenth of their
+weight: nothing there has to wait so long that it gives up.
 """
 
 import contextlib
@@ -14,12 +14,16 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
 ROOT = Path(__file__).parent.parent
 # Rooms whose real tests need no kernels.
 PLAIN = ("control/", "live/")
+Command = Sequence[str]
+# What runs is looked at so often [s].
+_LOOK = 0.05
 # What was interrupted has so long to say so [s].
 _LAST_WORDS = 30.0
 
@@ -42,28 +46,44 @@ def stand_back() -> None:
         os.sched_setscheduler(0, os.SCHED_IDLE, os.sched_param(0))
 
 
-def both(timed: Sequence[str], others: Sequence[str], polite: Callable[[], None] = give_way) -> tuple[int, int]:
-    """Runs two commands at once; what the first one says comes when the second is done.
+def both(timed: Sequence[Command], others: Sequence[tuple[Command, Callable[[], None]]]) -> tuple[list[int], list[int]]:
+    """Runs two rows of commands beside each other; what the first row says comes when all is done.
 
     Args:
-        timed: what others make room for.
-        others: what gives way to it.
-        polite: how.
+        timed: what others make room for, one after the other.
+        others: what gives way to it, and how. The second begins only once the first of the timed is done, and so on.
 
     Returns:
         Their codes, the others' first.
     """
-    running: list[subprocess.Popen[bytes]] = []
+    rows: list[list[tuple[Command, Callable[[], None] | None]]] = [[*others], [(command, None) for command in timed]]
+    running: list[subprocess.Popen[bytes] | None] = [None, None]
+    codes: tuple[list[int], list[int]] = ([], [])
     with tempfile.TemporaryFile() as said:
         try:
-            running.append(subprocess.Popen(others, cwd=ROOT, preexec_fn=polite))  # noqa: PLW1509  (no threads here)
-            running.append(subprocess.Popen(timed, cwd=ROOT, stdout=said, stderr=subprocess.STDOUT))
-            others_code, timed_code = (process.wait() for process in running)
+            while any(len(codes[row]) < len(rows[row]) for row in (0, 1)):
+                for row in (0, 1):
+                    process, at = running[row], len(codes[row])
+                    if process is None and at < len(rows[row]) and (row or len(codes[1]) >= at):
+                        command, polite = rows[row][at]
+                        out, errors = (said, subprocess.STDOUT) if row else (None, None)
+                        running[row] = subprocess.Popen(
+                            command,
+                            cwd=ROOT,
+                            stdout=out,
+                            stderr=errors,
+                            preexec_fn=polite,  # noqa: PLW1509  (no threads here)
+                        )
+                    elif process is not None and process.poll() is not None:
+                        codes[row].append(process.returncode)
+                        running[row] = None
+                time.sleep(_LOOK)
         except BaseException as error:
-            for process in running:
+            left = [process for process in running if process is not None]
+            for process in left:
                 if not isinstance(error, KeyboardInterrupt):  # the terminal told them, too
                     process.terminate()
-            for process in running:
+            for process in left:
                 process.wait(_LAST_WORDS)
             raise
         finally:
@@ -71,7 +91,7 @@ def both(timed: Sequence[str], others: Sequence[str], polite: Callable[[], None]
             sys.stdout.flush()
             sys.stdout.buffer.write(said.read())
             sys.stdout.flush()
-    return others_code, timed_code
+    return codes
 
 
 def main(options: Sequence[str]) -> int:
@@ -95,17 +115,19 @@ def main(options: Sequence[str]) -> int:
     workers = max(2, len(os.sched_getaffinity(0)))
     with none_left():
         warm = subprocess.Popen([sys.executable, "tests/warm_up.py"], cwd=ROOT, preexec_fn=give_way)  # noqa: PLW1509
-        checked, first = both(early, ["make", "--no-print-directory", "check"])
+        check: Command = ["make", "--no-print-directory", "check"]
+        (checked,), (first,) = both([early], [(check, give_way)])
         if checked:
             return checked
         warm.wait()
         computing = [f"tests/{name}" for name in numerical(ROOT / "tests")]
         shared = ["--dist", "loadfile", "--no-loadscope-reorder", "-m", "not timed", "--warm"]
         exact = [*pytest, *(f"tests/{name}" for name in ALONE)]
-        codes = both(exact, [*pytest, *shared, "-n", str(workers), *computing], stand_back)
+        compute = [*pytest, *shared, "-n", str(workers), *computing]
         # Of these most wait for other processes and browsers.
         rest = [*pytest, *shared, "-n", str(workers + 1), *(f"--ignore={name}" for name in computing)]
-        return next(filter(None, (first, *codes, *both(late, rest))), 0)
+        others, timed = both([exact, late], [(compute, stand_back), (rest, give_way)])
+        return next(filter(None, (first, *timed, *others)), 0)
 
 
 if __name__ == "__main__":

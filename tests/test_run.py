@@ -10,19 +10,35 @@ from pathlib import Path
 import pytest
 from tests.conftest import IMPORTS
 from tests.keeper import marked
-from tests.run import both, stand_back
+from tests.run import both, give_way, stand_back
 
 PYTHON = [sys.executable, "-S", "-c"]
 
 
 def test_both_codes_are_told():
     timed, others = ([*PYTHON, f"raise SystemExit({code})"] for code in (2, 3))
-    assert both(timed, others) == (3, 2)
+    assert both([timed], [(others, give_way)]) == ([3], [2])
+
+
+def test_the_second_of_the_others_waits_for_the_first_of_the_timed(tmp_path: Path):
+    """It may be what nothing timed can bear; the second of those begins as soon as the first is done."""
+
+    def noted(name: str, wait: float) -> list[str]:
+        return [*PYTHON, f"import time; log = open({str(tmp_path / 'log')!r}, 'a'); log.write('{name} begins\\n'); "
+                f"log.flush(); time.sleep({wait}); log.write('{name} ends\\n')"]  # fmt: skip
+
+    timed, others = [noted("one", 0.6), noted("two", 1.2)], [noted("first", 0.1), noted("second", 0.1)]
+    assert both(timed, [(command, give_way) for command in others]) == ([0, 0], [0, 0])
+    lines = (tmp_path / "log").read_text().splitlines()
+    order = [lines.index(line) for line in ("first ends", "one ends", "second begins", "second ends", "two ends")]
+    assert order == sorted(order)
+    assert lines.index("one ends") < lines.index("two begins") < lines.index("two ends")
 
 
 def test_one_gives_way_and_the_other_speaks_last(capfd: pytest.CaptureFixture[str]):
     nice = "import os; print(os.nice(0))"
-    assert both([*PYTHON, nice], [*PYTHON, f"{nice}; import time; time.sleep(0.1)"]) == (0, 0)
+    wait = f"{nice}; import time; time.sleep(0.1)"
+    assert both([[*PYTHON, nice]], [([*PYTHON, wait], give_way)]) == ([0], [0])
     others, timed = map(int, capfd.readouterr().out.split())
     assert timed == os.nice(0)
     assert others == min(timed + 10, 19)
@@ -31,7 +47,8 @@ def test_one_gives_way_and_the_other_speaks_last(capfd: pytest.CaptureFixture[st
 @pytest.mark.skipif(not hasattr(os, "SCHED_IDLE"), reason="only Linux has it")
 def test_one_stands_back(capfd: pytest.CaptureFixture[str]):
     how = [*PYTHON, "import os; print(os.sched_getscheduler(0))"]
-    assert both(how, [*how[:-1], f"{how[-1]}; import time; time.sleep(0.1)"], stand_back) == (0, 0)
+    others = [*how[:-1], f"{how[-1]}; import time; time.sleep(0.1)"]
+    assert both([how], [(others, stand_back)]) == ([0], [0])
     assert capfd.readouterr().out.split() == [str(os.SCHED_IDLE), str(os.SCHED_OTHER)]
 
 
@@ -39,12 +56,12 @@ WAITS = """
 import os, sys
 sys.path.insert(0, {root!r})
 from tests.leftovers import none_left
-from tests.run import both, obey
+from tests.run import both, give_way, obey
 obey()
 with none_left():
     both(
-        [sys.executable, "-S", "-c", "print('one'); import time; time.sleep(600)"],
-        [sys.executable, "-S", "-c", "print('other', flush=True); import time; time.sleep(600)"],
+        [[sys.executable, "-S", "-c", "print('one'); import time; time.sleep(600)"]],
+        [([sys.executable, "-S", "-c", "print('other', flush=True); import time; time.sleep(600)"], give_way)],
     )
 """
 
