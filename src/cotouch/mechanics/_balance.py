@@ -91,7 +91,7 @@ def weigh(
     rows = op.mass.shape[0]
     memory, mean, weighed = state.memory, work.mean, work.weighed
     energy, power = evaluate(force.law, memory, work.ahead, state.position, mean, _SWEEPS, lanes)
-    outside, rubbed, passed = weigh_world(force.world, memory, work.ahead, state.position, T, memory[AT_WORLD])
+    outside, rubbed, passed = weigh_world(force.world, memory, work.ahead, state.position, T)
     weighed[OUTSIDE], weighed[PASSED] = outside, 1.0 if passed else 0.0
     before, was_outside = memory[ENERGY], op.firmness * memory[AT_WORLD]
     outside, rubbed = op.firmness * outside, op.firmness * rubbed

@@ -20,7 +20,7 @@ def begin_world(world: World, memory: Float, x: Float) -> float:
 
 
 @block
-def follow_world(world: World, memory: Float, x: Float, ahead: Float, T: float, held: float) -> tuple[float, float]:
+def follow_world(world: World, memory: Float, x: Float, ahead: Float, T: float) -> tuple[float, float]:
     """What obstacles hold after a step and lost in it, for whoever checks a ledger.
 
     Args:
@@ -29,11 +29,10 @@ def follow_world(world: World, memory: Float, x: Float, ahead: Float, T: float, 
         x: displacements of the rows before, (rows, width) [m].
         ahead: and after, likewise.
         T: how long it took [s].
-        held: before it [J].
 
     Returns:
         Energy held and energy lost [J], of the whole body.
     """
     take_up(world, memory)
-    energy, lost, _ = weigh_world(world, memory, x, ahead, T, held)
+    energy, lost, _ = weigh_world(world, memory, x, ahead, T)
     return energy, lost

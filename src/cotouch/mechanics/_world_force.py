@@ -25,7 +25,6 @@ from cotouch.mechanics._vector import at, put, splat, store
 from cotouch.mechanics._world import World
 from cotouch.mechanics._world_lean import couple, mirror
 from cotouch.mechanics._world_offset import follow_offset, offset_of
-from cotouch.mechanics._world_still import farthest, stay
 
 # Looks at most that a step with obstacles takes, and the change of forces from one to the next at which they end.
 _LOOKS = 16
@@ -271,9 +270,7 @@ def _forgets(world: World, memory: Float, p: int, points: int, kept: int) -> boo
 
 
 @part
-def weigh_world(
-    world: World | None, memory: Float, x: Float, ahead: Float, T: float, held: float
-) -> tuple[float, float, bool]:
+def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: float) -> tuple[float, float, bool]:
     """What obstacles hold after a motion and lost in it; stretches at its end go to the second half of the memory.
 
     Args:
@@ -282,7 +279,6 @@ def weigh_world(
         x: displacements of the rows before, (rows, width) [m].
         ahead: and after, likewise.
         T: how long it took [s].
-        held: before it [J].
 
     Returns:
         Energy held [J], energy lost [J], and whether a point passed through an obstacle.
@@ -295,10 +291,12 @@ def weigh_world(
     for s in range(world.force.shape[0]):
         store(world.force, s, zero, (0, 0, 0, 0))
     begin_work(world.bodies)
-    far = farthest(x, ahead)
-    if far == 0.0:  # what was looked for near a bolder motion would be found here
-        stay(world, memory)
-        return held, 0.0, False
+    far = 0.0
+    for i in range(world.hold.shape[0]):
+        way = 0.0
+        for a in range(3):
+            way += abs(at(ahead, (i, a)) - at(x, (i, a)))
+        far = max(far, way)
     far *= _SURELY * world.reach
     sure = at(world.known, 0) != 0.0 and world.offset < 0
     for p in range(world.moves if world.kind.shape[0] > 0 else 0):

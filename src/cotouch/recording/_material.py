@@ -250,7 +250,7 @@ class RecordedMaterial:
                 _mark(made, cutting, memory, when <= index[step])
                 continue
             found.before[step] = held
-            held, found.lost[step] = follow_world(world, memory, x, ahead, float(T[step]), held)
+            held, found.lost[step] = follow_world(world, memory, x, ahead, float(T[step]))
             new, found.cut[step] = when == index[step], 0.0
             if cutting is not None and np.any(new):
                 cutting.wanted[:] = new
