@@ -4,9 +4,7 @@ from cotouch.arrays import Float
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import Ports, Workspace
-from cotouch.mechanics._vector import at, load, put, store
-
-FOUR = (0, 0, 0, 0)
+from cotouch.mechanics._vector import FOUR, at, load, put, store
 
 
 @part

@@ -176,6 +176,15 @@ def _begin(world: World, x: Float) -> None:
 
 
 @inner
+def _way(x: Float, ahead: Float, i: int) -> float:
+    """As far as a row moves, or farther [m]."""
+    way = 0.0
+    for a in range(3):
+        way += abs(at(ahead, (i, a)) - at(x, (i, a)))
+    return way
+
+
+@inner
 def _tell(world: World, p: int, fx: float, fy: float, fz: float) -> float:
     """Keeps the force on a point; returns the square of what it changed by since the last look."""
     change = (fx - at(world.told, (p, 0))) ** 2
@@ -208,10 +217,7 @@ def press_world(
         return True
     change, size, far = 0.0, 0.0, 0.0
     for i in range(world.hold.shape[0]):  # what the last look leaned on has moved since
-        way = 0.0
-        for a in range(3):
-            way += abs(at(ahead, (i, a)) - at(x, (i, a)))
-        far = max(far, way)
+        far = max(far, _way(x, ahead, i))
         hold = at(world.hold, i)
         if hold != 0.0:
             for a in range(3):
@@ -293,10 +299,7 @@ def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: f
     begin_work(world.bodies)
     far = 0.0
     for i in range(world.hold.shape[0]):
-        way = 0.0
-        for a in range(3):
-            way += abs(at(ahead, (i, a)) - at(x, (i, a)))
-        far = max(far, way)
+        far = max(far, _way(x, ahead, i))
     far *= _SURELY * world.reach
     sure = at(world.known, 0) != 0.0 and world.offset < 0
     for p in range(world.moves if world.kind.shape[0] > 0 else 0):

@@ -8,12 +8,12 @@ from typing import NamedTuple
 import numpy as np
 
 from cotouch.arrays import Float, Int
-from cotouch.mechanics import Model, Ports, at, block, load, part, put, store
+from cotouch.mechanics import FOUR, Model, Ports, at, block, load, part, put, store
 from cotouch.passing import by_address
 from cotouch.scenario._rigid_tool_table import RigidToolTable
 from cotouch.scenario._rigid_tools import RigidTool
 from cotouch.scenario._tools import touching_of
-from cotouch.scenario._touching import FOUR, Touching, after_step, before_step
+from cotouch.scenario._touching import Touching, after_step, before_step
 
 
 @by_address

@@ -16,11 +16,9 @@ from cotouch.device import (
     command_device,
     pull_proxy,
 )
-from cotouch.mechanics import AWAY, Contact, Ports, Surface, Tools, at, block, load, own_tools, part, put, store
+from cotouch.mechanics import AWAY, FOUR, Contact, Ports, Surface, Tools, at, block, load, own_tools, part, put, store
 from cotouch.passing import by_address
 from cotouch.scenario._hands import Hands, grip
-
-FOUR = (0, 0, 0, 0)
 
 
 @by_address
