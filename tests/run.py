@@ -46,12 +46,17 @@ def stand_back() -> None:
         os.sched_setscheduler(0, os.SCHED_IDLE, os.sched_param(0))
 
 
-def both(timed: Sequence[Command], others: Sequence[tuple[Command, Callable[[], None]]]) -> tuple[list[int], list[int]]:
+def both(
+    timed: Sequence[Command],
+    others: Sequence[tuple[Command, Callable[[], None]]],
+    after: "subprocess.Popen[bytes] | None" = None,
+) -> tuple[list[int], list[int]]:
     """Runs two rows of commands beside each other; what the first row says comes when all is done.
 
     Args:
         timed: what others make room for, one after the other.
         others: what gives way to it, and how. The second begins only once the first of the timed is done, and so on.
+        after: none of the timed begins before this has ended.
 
     Returns:
         Their codes, the others' first.
@@ -64,7 +69,8 @@ def both(timed: Sequence[Command], others: Sequence[tuple[Command, Callable[[], 
             while any(len(codes[row]) < len(rows[row]) for row in (0, 1)):
                 for row in (0, 1):
                     process, at = running[row], len(codes[row])
-                    if process is None and at < len(rows[row]) and (row or len(codes[1]) >= at):
+                    free = (after is None or after.poll() is not None) if row else len(codes[1]) >= at
+                    if process is None and at < len(rows[row]) and free:
                         command, polite = rows[row][at]
                         out, errors = (said, subprocess.STDOUT) if row else (None, None)
                         running[row] = subprocess.Popen(
@@ -119,14 +125,14 @@ def main(options: Sequence[str]) -> int:
         (checked,), (first,) = both([early], [(check, give_way)])
         if checked:
             return checked
-        warm.wait()
         computing = [f"tests/{name}" for name in numerical(ROOT / "tests")]
         shared = ["--dist", "loadfile", "--no-loadscope-reorder", "-m", "not timed", "--warm"]
         exact = [*pytest, *(f"tests/{name}" for name in ALONE)]
         compute = [*pytest, *shared, "-n", str(workers), *computing]
         # Of these most wait for other processes and browsers.
         rest = [*pytest, *shared, "-n", str(workers + 1), *(f"--ignore={name}" for name in computing)]
-        others, timed = both([exact, late], [(compute, stand_back), (rest, give_way)])
+        # The kernels that are still missing may be compiled by what computes: whoever needs one waits for it.
+        others, timed = both([exact, late], [(compute, stand_back), (rest, give_way)], after=warm)
         return next(filter(None, (first, *timed, *others)), 0)
 
 

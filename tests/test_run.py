@@ -35,6 +35,14 @@ def test_the_second_of_the_others_waits_for_the_first_of_the_timed(tmp_path: Pat
     assert lines.index("one ends") < lines.index("two begins") < lines.index("two ends")
 
 
+def test_what_is_timed_waits_for_a_process_and_the_others_do_not(tmp_path: Path):
+    done, begun = tmp_path / "done", tmp_path / "begun"
+    wait = f"import os, time\nwhile not os.path.exists({str(begun)!r}): time.sleep(0.01)\nopen({str(done)!r}, 'w')"
+    look = f"import os; raise SystemExit(not os.path.exists({str(done)!r}))"
+    with subprocess.Popen([*PYTHON, wait]) as before:
+        assert both([[*PYTHON, look]], [([*PYTHON, f"open({str(begun)!r}, 'w')"], give_way)], before) == ([0], [0])
+
+
 def test_one_gives_way_and_the_other_speaks_last(capfd: pytest.CaptureFixture[str]):
     nice = "import os; print(os.nice(0))"
     wait = f"{nice}; import time; time.sleep(0.1)"

@@ -10,6 +10,7 @@ import os
 import time
 import warnings
 from collections.abc import Callable, Sequence
+from itertools import islice
 from pathlib import Path
 from typing import Any, TypeVar, final
 
@@ -120,7 +121,8 @@ def _large(cres: Any, least: int) -> bool:
     if description.inline or description.uid != 0:
         return False
     function = _code_of(cres).get_function(description.llvm_func_name)
-    return sum(1 for block in function.blocks for _ in block.instructions) >= least
+    instructions = (instruction for block in function.blocks for instruction in block.instructions)
+    return next(islice(instructions, least - 1, None), None) is not None
 
 
 def _set_apart(cres: Any) -> None:

@@ -47,11 +47,19 @@ def _equal(one: Any, other: object) -> Any:
     """Numba's comparison of two sets of options, which it makes for every call that it finds the types of."""
     if not isinstance(other, TargetConfig):
         return NotImplemented
-    return one._values == other._values or one.values() == other.values()
+    if one._values == other._values:
+        return True
+    given = one._values.keys() | other._values.keys()
+    return type(one) is type(other) and all(getattr(one, name) == getattr(other, name) for name in given)
+
+
+def _number(options: Any) -> int:
+    """Numba's hash of a set of options is one of their names, which it sorts each time."""
+    return hash(type(options))
 
 
 _options: Any = TargetConfig
-_options.__eq__ = _equal
+_options.__eq__, _options.__hash__ = _equal, _number
 
 
 @final
