@@ -2,6 +2,8 @@
 # numba has no types
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
 
+import re
+import sys
 from copy import deepcopy
 from typing import Any, NamedTuple
 
@@ -223,3 +225,45 @@ def test_numbers_come_as_they_are():
 def test_tables_of_several_types_are_refused():
     with pytest.raises(TypingError, match=r"annot determine Numba type of .*Each"):
         taken(Each([Inner(np.zeros(2), 1), Inner(np.zeros((2, 2)), 1)]), 0, np.zeros(2))
+
+
+@numba.njit
+def counted(table: Outer) -> float:
+    """A routine for which numba counts references: it makes an array, and takes a part of one of the table's."""
+    part = table.matrix[1:]
+    return (part + np.ones(part.shape)).sum() + table.inner.factors[0]
+
+
+def test_no_reference_is_kept_by_who_counts_them():
+    table = outer()
+    before = [sys.getrefcount(array) for array in (table.matrix, table.inner.factors, table.pairs[0].places)]
+    for _ in range(20):
+        assert counted(table) == pytest.approx(table.matrix[1:].sum() + 4.0 + table.inner.factors[0])
+    assert [sys.getrefcount(array) for array in (table.matrix, table.inner.factors, table.pairs[0].places)] == before
+
+
+@pytest.mark.parametrize(
+    ("wrong", "says"),
+    [
+        ({"matrix": "no array"}, "can't unbox array"),
+        ({"matrix": np.zeros((3, 2), np.float32)}, "can't unbox array"),
+        ({"scale": "no number"}, "bad argument type"),
+        ({"inner": Inner(np.zeros(3), 2**70)}, "too (big|large)"),
+    ],
+)
+def test_what_cannot_be_read_is_told_and_the_kernel_does_not_run(wrong: dict[str, Any], says: str):
+    """Numba finds the types first; this enters the machine code with a table of others."""
+    out = np.zeros(3)
+    through(outer(), np.zeros(3))
+    entry: Any = through.overloads[(numba.typeof(outer()), numba.typeof(out))].entry_point
+    with pytest.raises((TypeError, ValueError, OverflowError), match=says):
+        entry(outer(**wrong), out)
+    np.testing.assert_array_equal(out, 0.0)
+
+
+def test_what_reads_an_array_is_made_once_for_each_type():
+    through(outer(), np.zeros(3))
+    made: Any = next(iter(through.overloads.values()))._asdict()
+    text = made["library"].get_llvm_str()
+    assert len(re.findall(r"define internal .*read array\(float64, 1d, C\)", text)) == 1
+    assert len(re.findall(r"call .*read array\(float64, 1d, C\)", text)) == 3

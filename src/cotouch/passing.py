@@ -195,19 +195,70 @@ def _field(context: Any, builder: Any, kind: Any, memory: Any, name: str) -> Any
 
 @boxing.unbox(ByAddress)
 def _write(kind: Any, table: Any, c: Any) -> NativeValue:
-    found = c.unbox(types.NamedTuple(kind.types, kind.instance_class), table)
+    memory = _written(kind, table, c)
+    # Whatever could not be read has said so to Python.
+    return NativeValue(memory, is_error=cgutils.is_not_null(c.builder, c.pyapi.err_occurred()))
+
+
+def _written(kind: ByAddress, table: Any, c: Any) -> Any:
+    """Where a table of Python is from now on, in the memory of the function that asks."""
     memory = cgutils.alloca_once(c.builder, ir.IntType(64), size=max(1, _places(c.context, kind)[-1]))
     memory = c.builder.bitcast(memory, _BYTES)
     word = 0
-    for index, field in enumerate(kind.types):
-        value = c.builder.extract_value(found.value, index)
-        for number, path in _numbers(c.context.get_value_type(field)):
-            one = c.builder.extract_value(value, path) if path else value
-            c.builder.store(one, _place(c.builder, memory, word, number))
-            word += 1
+    for place, field in enumerate(list[Any](kind)):
+        word = _fill(field, c.pyapi.tuple_getitem(table, place), c, memory, word)
     # LLVM must not see that this is where it was written: what is told never to change has changed until now.
     same = ir.InlineAsm(ir.FunctionType(_BYTES, [_BYTES]), "", "=r,0,~{memory}", side_effect=True)
-    return NativeValue(c.builder.call(same, [memory]), is_error=found.is_error, cleanup=found.cleanup)
+    return c.builder.call(same, [memory])
+
+
+def _fill(kind: Any, given: Any, c: Any, memory: Any, word: int) -> int:
+    """Writes one field.
+
+    Args:
+        kind: its type, which numba found by looking at what is given: a tuple is as long as it says.
+        given: the field, in Python.
+        c: numba's context of the function.
+        memory: of the table.
+        word: where the field begins.
+
+    Returns:
+        Where the next one does.
+    """
+    value = c.context.get_value_type(kind)
+    if isinstance(kind, ByAddress):
+        c.builder.store(_written(kind, given, c), _place(c.builder, memory, word, value))
+    elif isinstance(kind, types.BaseTuple):
+        parts: Any = kind
+        for place, inner in enumerate(list[Any](parts)):
+            word = _fill(inner, c.pyapi.tuple_getitem(given, place), c, memory, word)
+        return word
+    else:
+        c.builder.call(_reader(kind, c), [given, _place(c.builder, memory, word, value)])
+    return word + sum(1 for _ in _numbers(value))
+
+
+def _reader(kind: Any, c: Any) -> Any:
+    """The function that reads a value of a type into memory, or leaves an error with Python.
+
+    Tables have hundreds of arrays of a few types. Numba would write out for each how it is read and what happens where
+    that fails, and LLVM spent a third of its time on it.
+    """
+    module, name = c.builder.module, f"read {kind}"
+    if name in module.globals:
+        return module.globals[name]
+    value = c.context.get_value_type(kind).as_pointer()
+    reader = ir.Function(module, ir.FunctionType(c.pyapi.pyobj, [c.pyapi.pyobj, value]), name)
+    reader.linkage = "internal"
+    reader.attributes.add("noinline")
+    builder = ir.IRBuilder(reader.append_basic_block("entry"))
+    # Python holds what it hands over as long as it waits: no reference need be counted here.
+    inner: Any = c.context.subtarget(enable_nrt=False).get_python_api(builder)
+    read = inner.to_native_value(kind, reader.args[0])
+    assert read.cleanup is None, kind
+    builder.store(read.value, reader.args[1])
+    builder.ret(inner.get_null_object())  # as numba's code does where it cannot go on
+    return reader
 
 
 @boxing.box(ByAddress)
