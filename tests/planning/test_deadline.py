@@ -1,6 +1,7 @@
 """Work that ends when its time is up or when it is interrupted."""
 
 import threading
+import time
 from itertools import count
 
 import numpy as np
@@ -9,8 +10,8 @@ from tests.planning.support import five_users
 
 from cotouch.interrupt import Flag, check, flag, heeding
 from cotouch.network import Network
-from cotouch.planning import CountsInterrupted, TuningInterrupted, plan_counts, tune_springs, until
-from cotouch.planning._deadline import aside
+from cotouch.planning import CountsInterrupted, TuningInterrupted, plan_counts, tune_springs, until, worked
+from cotouch.planning._deadline import aside, in_real_time
 
 
 def raised(some: Flag) -> None:
@@ -109,3 +110,20 @@ def test_a_limit_on_drag_counts_for_springs_too() -> None:
     kept = tune_springs(network, damping_limit=42.0, drag_limit=limit, damping=3.0, rounds=4, spread=False)
     assert drag(kept) <= limit * (1 + 1e-9)
     assert drag(kept) > 0.5 * limit
+
+
+def test_a_budget_lasts_longer_where_others_have_the_processors() -> None:
+    begun, wall = worked(), time.monotonic()
+    time.sleep(0.4)
+    passed = time.monotonic() - wall
+    assert passed / 4 <= worked() - begun < passed / 2
+    begun, work = worked(), time.process_time()
+    while time.process_time() - work < 0.2:
+        pass
+    assert worked() - begun >= 0.2
+
+
+def test_a_thread_watches_clocks_that_go_on_by_themselves_only() -> None:
+    assert in_real_time(worked)
+    assert in_real_time(time.monotonic)
+    assert not in_real_time(count(0.0, 1e-6).__next__)

@@ -2,7 +2,7 @@
 
 from cotouch.planning._body import modes_of
 from cotouch.planning._counts import CountsInterrupted, LinkCounts, plan_counts
-from cotouch.planning._deadline import until
+from cotouch.planning._deadline import until, worked
 from cotouch.planning._early import FirstChoice, first_choice
 from cotouch.planning._figures import knee, networks, ranks
 from cotouch.planning._joint import FIRST, Joint, JointInterrupted, plan_springs
@@ -45,5 +45,6 @@ __all__ = [
     "survey",
     "tune_springs",
     "until",
+    "worked",
     "workers",
 ]

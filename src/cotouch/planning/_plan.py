@@ -15,6 +15,7 @@ from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.interrupt import Flag, check, finishing, flag, heeding, interruptible
 from cotouch.network import Convention, Network, Rounding
 from cotouch.planning._bound import bounded, dive_into, has_room, some_choice
+from cotouch.planning._deadline import in_real_time
 from cotouch.planning._enumerate import Found, chosen_at, enumerated
 from cotouch.planning._local import Begin, walked, worked_out
 from cotouch.planning._problem import Lost, Objective, Problem, impossible, make_problem, questions
@@ -220,7 +221,7 @@ def plan(
         # A kernel may last longer than the budget; what it was at is worth little.
         heard = math.inf
         while not over.wait(_LOOK):
-            timed = clock is time.monotonic
+            timed = in_real_time(clock)
             if search.kept:
                 finishing(asked)
             if asked[0]:

@@ -9,9 +9,9 @@ from cotouch.errors import CotouchError, SessionError, UnsupportedError
 from cotouch.members import Pair, SessionFile, delays_of
 from cotouch.network import Network
 from cotouch.observers import ChildCall
-from cotouch.planning import Objective, Plan, compiles, modes_of, plan
+from cotouch.planning import Objective, Plan, compiles, modes_of, plan, worked
 
-# Time budget of one search; what is found by then counts [s].
+# Time budget of one search, by `worked`; what is found by then counts [s].
 _SECONDS = 5.0
 # The consensus model works on a grid of this [s].
 _TIME_UNIT = 0.001
@@ -106,6 +106,7 @@ def _search(network: Network, links: int, objective: Objective, modes: dict[str,
         time_unit=_TIME_UNIT,
         rounding="nearest",
         seconds=_SECONDS,
+        clock=worked,
         jobs=1,
         top=1,
         mass=modes.get("mass", 1.0),
