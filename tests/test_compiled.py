@@ -427,6 +427,41 @@ def test_a_function_that_another_process_compiles_is_waited_for(tmp_path: Path):
             os.close(tell)
 
 
+GIVEN_UP = """
+import sys
+from numba.core.errors import TypingError
+from cotouch.compiled import routine
+
+@routine
+def inside(x):
+    return x.nothing
+
+@routine
+def outside(x):
+    return inside(x)
+
+try:
+    outside(1.0)
+except TypingError:
+    print("given up", flush=True)
+sys.stdin.read(int(sys.argv[1]))
+"""
+
+
+def test_a_function_that_cannot_be_compiled_keeps_nobody_waiting(tmp_path: Path):
+    """Nor does one of which the compilation was interrupted; its process may go on for hours."""
+    script = tmp_path / "given_up.py"
+    script.write_text(GIVEN_UP)
+    pipe = subprocess.PIPE
+    with subprocess.Popen([sys.executable, script, "1"], stdin=pipe, stdout=pipe, text=True) as first:
+        assert first.stdout is not None
+        assert first.stdout.readline() == "given up\n"
+        second = subprocess.run([sys.executable, script, "0"], stdout=pipe, text=True, timeout=60.0, check=True)
+        assert second.stdout == "given up\n"
+        assert first.poll() is None
+        first.communicate("1")
+
+
 def test_where_nothing_can_be_kept_nobody_is_waited_for(tmp_path: Path):
     machine._Turns().take(str(tmp_path / "gone"), "step")
 

@@ -228,15 +228,22 @@ class _Cache(FunctionCache):
         super().__init__(function)
         impl: Any = self._impl
         self._cache_file = _Files(self.cache_path, impl.filename_base, impl.locator.get_source_stamp())
+        self._turn: list[Any] = []
 
     def _load_overload(self, sig: Any, target_context: Any) -> Any:
         found = self._loaded(sig, target_context)
         if found is None:
-            _turns.take(self.cache_path, self._key(sig))
+            self._turn.append(self._key(sig))
+            _turns.take(self.cache_path, self._turn[-1])
             found = self._loaded(sig, target_context)  # another process may have compiled it meanwhile
             if found is not None:
-                _turns.give(self.cache_path, self._key(sig))
+                self.give_turn()
         return found
+
+    def give_turn(self) -> None:
+        """Lets others compile what is compiled here now, which was kept or is given up."""
+        if self._turn:
+            _turns.give(self.cache_path, self._turn.pop())
 
     def _key(self, sig: Any) -> Any:
         impl: Any = self._impl
@@ -256,7 +263,7 @@ class _Cache(FunctionCache):
         except OSError as error:
             _not_kept(f"{self.cache_path}: {error.strerror or error}")
         finally:
-            _turns.give(self.cache_path, self._key(sig))
+            self.give_turn()
             _made[0] += 1
 
     def bind(self, stamp: tuple[str, int]) -> None:
@@ -299,6 +306,11 @@ class _WhenAsked:
             self._opened = _open(*self._as)
         return self._opened
 
+    def give_turn(self) -> None:
+        """Lets others compile what could not be compiled here."""
+        if isinstance(self._opened, _Cache):
+            self._opened.give_turn()
+
     def __getattr__(self, name: str) -> Any:
         return getattr(self.opened(), name)
 
@@ -330,6 +342,17 @@ def stamped(compiled: Any, *, apart: int | None = None) -> Any:
     # As it is, this would compile it once more for each constant that another calls it with.
     find, plain = compiled.get_call_template, types.unliteral
     compiled.get_call_template = lambda args, kws: find(tuple(map(plain, args)), {k: plain(kws[k]) for k in kws})
+    # Numba tells the cache of what was compiled, but not that it could not be.
+    compile_it = compiled.compile
+
+    def compiled_or_given_up(arguments: Any) -> Any:
+        try:
+            return compile_it(arguments)
+        except BaseException:
+            compiled._cache.give_turn()
+            raise
+
+    compiled.compile = compiled_or_given_up
     source = Path(compiled.py_func.__code__.co_filename)
     # Of the sources as they are now: by the time that it is asked they may have been edited.
     compiled._cache = _WhenAsked(compiled.py_func, apart, stamp_of(source) if source.is_file() else None)
