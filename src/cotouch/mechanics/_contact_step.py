@@ -100,7 +100,7 @@ def contact_step(
     if force is not None:
         for i in range(mean.shape[0]):
             store(mean, i, load(state.velocity, i, lanes), lanes)
-        take_up(force.world, state.memory)
+        take_up(force.world, state.memory, state.position)
         directions = looks_ahead(state.memory, force.directions, force.cut)
         looks = looks_of(force.world, directions, work.dense.shape[0] > 0)
     for number in range(_LOOKS + looks):
@@ -151,7 +151,7 @@ def contact_step(
         free, contact = dot_rows(mean, work.rhs, lanes), dot_rows(mean, push, lanes) if look else 0.0
     if force is not None:
         hold_parts(force.parts, touch.mark)
-        level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
+        level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, False, work, lanes)
     sigma = balanced(
         law,
         op,
