@@ -59,6 +59,12 @@ def reactions(run: Any) -> tuple[Float, Float]:
     return place[-1, bottom], -1e6 * (place[-1, bottom] - place[0, bottom])
 
 
+@pytest.mark.parametrize("deep", [0.0018, 0.0021])
+def test_what_hardly_turns_is_not_closed_by_its_turning(deep: float) -> None:
+    run = simulate(scene({"path": pressed(deep)}))
+    assert run["closure_factor"].values[0, -1] < 1e-3
+
+
 def test_pressed_evenly_it_is_as_stiff_as_hand_skin_and_block_in_series() -> None:
     run = simulate(scene({"path": pressed(0.002)}))
     block, skin = SPRING * COLUMNS / HIGH, FIRM * COLUMNS * SIDE**2

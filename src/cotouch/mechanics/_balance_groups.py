@@ -32,6 +32,9 @@ from cotouch.mechanics._vector import at, put
 # energy went to and fro; the factor on its velocity, the velocity about which that acts; whether it shares with others
 # what it lacks, and whether its group is not closed.
 MASS, MOMENTUM, MOVING, LACKS, ABOUT, FLOW, FACTOR, CENTRE, SHARES, OPEN = 0, 1, 4, 5, 6, 7, 8, 9, 12, 13
+# Who has less than this share of its energy about its own centre, and would be changed by more than that if it made up
+# for what it lacks by itself, shares it with those that touch it, if all of them are changed by less then.
+_HARDLY, _MUCH = 1e-4, 1e-3
 # An attempt that is the last in any case: who passed another has done so.
 LAST_OF_ALL = LAST_ATTEMPT + 1
 
@@ -105,7 +108,7 @@ def decide(parts: Parts | None, weighed: Float, attempt: int, others: bool) -> t
     for group in range(parts.held.shape[0]):
         if at(parts.met.group, group) != group or (others and at(parts.held, group) != 0):
             continue
-        passed = False
+        passed, alone, hardly = False, 0.0, False
         for b in range(parts.held.shape[0]):
             if at(parts.met.group, b) != group:
                 continue
@@ -119,9 +122,19 @@ def decide(parts: Parts | None, weighed: Float, attempt: int, others: bool) -> t
                 centre = at(parts.sums, (b, MOMENTUM + a)) / at(parts.sums, (b, MASS))
                 put(parts.sums, (b, CENTRE + a), centre)
             if own and abs(lacks) > rounded:
-                worst = max(worst, abs(math.sqrt(square) - 1.0))
+                beside = abs(math.sqrt(square) - 1.0)
+                alone = max(alone, beside)
+                hardly = hardly or (beside > _MUCH and about <= _HARDLY * at(parts.sums, (b, MOVING)))
         square, whole, lacks, mass, x, y, z = _sum(parts, group, True)
         closed = mass == 0.0 or abs(lacks) <= noise
+        if mass == 0.0 and hardly:
+            square, whole, lacks, mass, x, y, z = _sum(parts, group, False)
+            if abs(square - 1.0) <= _MUCH:
+                _scale(parts, group, False, square, x, y, z)
+                alone = 0.0
+            else:
+                square, lacks = 1.0, 0.0
+        worst = max(worst, alone)
         if not closed and LEAST <= square <= MOST:
             _scale(parts, group, True, square, x, y, z)
             closed = True

@@ -174,13 +174,22 @@ def stretch(parts: Parts | None, mean: Float, factor: float, lanes: tuple[int, .
 
 
 @part
-def shorten(parts: Parts | None, mean: Float, factor: float, everything: bool, lanes: tuple[int, ...]) -> None:
-    """Scales how far a body goes; of several those whose groups are not closed, or everything."""
+def shorten(parts: Parts | None, mean: Float, factor: float, everything: bool, lanes: tuple[int, ...]) -> bool:
+    """Scales how far a body goes; of several those whose groups are not closed, or everything.
+
+    Returns:
+        Whether any of it had gone anywhere.
+    """
+    gone = False
     for i in range(mean.shape[0]):
         goes = factor
         if parts is not None:
             goes = factor if everything or at(parts.sums, (at(parts.part, i), OPEN)) != 0.0 else 1.0
+        if goes != 1.0:
+            rate = load(mean, i, lanes)
+            gone = gone or total(rate * rate) != 0.0
         _scale(mean, i, goes, lanes)
+    return gone
 
 
 @part

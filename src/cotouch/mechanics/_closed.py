@@ -91,15 +91,16 @@ def closed_step(
         cap: on its iterations.
         lanes: fixes the width of a row.
     """
-    take_up(force.world, state.memory)
+    take_up(force.world, state.memory, state.position)
     free_parts(force.parts)
     ledger[ITERATIONS] = 0.0
     for i in range(op.mass.shape[0]):
         store(work.mean, i, load(state.velocity, i, lanes), lanes)
     directions, before, alone = looks_ahead(state.memory, force.directions, force.cut), 0.0, force.parts is None
+    known = False
     for number in range(looks_of(force.world, directions, work.dense.shape[0] > 0)):
-        settled = predict(op, force, state, T, False, work, lanes)
-        if number >= directions and settled:
+        known = predict(op, force, state, T, False, work, lanes) and number >= directions
+        if known:
             break
         change, moving = direct(
             op,
@@ -122,7 +123,7 @@ def closed_step(
             if force.world is None:
                 break
         before = change
-    level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
+    level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, known, work, lanes)
     attempt, length, refused = 0, 1.0, False
     while True:
         keep_place(state, work, lanes)
@@ -168,13 +169,15 @@ def closed_step(
                 cap,
                 lanes,
             )
-            level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
+            level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, False, work, lanes)
         else:
             # What cannot be closed, or would still pass an obstacle, stays where it is at last.
             shorter = 0.0 if still or attempt >= LAST_ATTEMPT - 1 else 0.5
             refused = refused or (not still and shorter == 0.0)
             length *= shorter
-            shorten(force.parts, work.mean, shorter, attempt >= LAST_OF_ALL - 1, lanes)
+            if not shorten(force.parts, work.mean, shorter, attempt >= LAST_OF_ALL - 1, lanes):
+                # Nothing that goes less far would be any different.
+                length, refused, attempt = 0.0, refused or not still, max(attempt, LAST_ATTEMPT - 1)
         attempt += 1
     weighed = work.weighed
     rounded = abs(weighed[TARGET] - weighed[HAVE]) <= max(weighed[NOISE], weighed[ROUGH])

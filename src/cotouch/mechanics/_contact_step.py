@@ -9,6 +9,7 @@ import math
 from typing import Any
 
 from cotouch.arrays import Float
+from cotouch.mechanics._balance import MOTION
 from cotouch.mechanics._balance_parts import hold_parts
 from cotouch.mechanics._contact_balance import balanced, dot_rows
 from cotouch.mechanics._contact_catch import begin_catch, catch
@@ -37,6 +38,8 @@ from cotouch.mechanics._world_lean import lean_world
 # Looks at most; the change of forces at which they end, and at which one more correction is enough.
 _LOOKS = 12
 _SETTLED, _NEARLY, _EXACT = 1e-6, 1e-3, 1e-9
+# Of the energy of a body that moves, what forces that have settled may still leave to its closure.
+_LITTLE = 1e-5
 _NOTHING = 1e-17  # of the energy in a depth of a tool's radius, it is out of the skin
 # How far a tool looks around beyond its radius, in radii and in ways of a step; below how many radii those are short.
 _MARGIN, _WAYS, _SLOW = 0.05, 3.0, 0.05
@@ -100,7 +103,7 @@ def contact_step(
     if force is not None:
         for i in range(mean.shape[0]):
             store(mean, i, load(state.velocity, i, lanes), lanes)
-        take_up(force.world, state.memory)
+        take_up(force.world, state.memory, state.position)
         directions = looks_ahead(state.memory, force.directions, force.cut)
         looks = looks_of(force.world, directions, work.dense.shape[0] > 0)
     for number in range(_LOOKS + looks):
@@ -113,8 +116,12 @@ def contact_step(
         for t in range(tools.mode.shape[0]):
             if look and (tools.mode[t] == GRASP or (tools.mode[t] == TOUCH and tools.inside[t] == 0)):
                 change = max(change, _look(law, surface, touch, tools, t, T, state, guess, work.diagonal, lanes))
-        if number >= looks and change <= (_EXACT if near and force is not None else _SETTLED):
-            break
+        if number >= looks:
+            exact = near and force is not None
+            if exact and change <= _SETTLED:
+                exact = not _little(op, force, state, touch, tools, T, change)
+            if change <= (_EXACT if exact else _SETTLED):
+                break
         if number < looks or not near:
             for c in range(touch.many[0]):
                 i = touch.reach[c]
@@ -151,7 +158,7 @@ def contact_step(
         free, contact = dot_rows(mean, work.rhs, lanes), dot_rows(mean, push, lanes) if look else 0.0
     if force is not None:
         hold_parts(force.parts, touch.mark)
-        level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
+        level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, False, work, lanes)
     sigma = balanced(
         law,
         op,
@@ -320,6 +327,19 @@ def _look(
     feel_tool(law, surface, touch, tools, t, T)
     load_rows(surface, touch, t, diagonal)
     return _change(touch, t)
+
+
+@part
+def _little(
+    op: Operator, force: BodyForce | None, state: State, touch: ContactWork, tools: Tools, T: float, change: float
+) -> bool:
+    """Whether what forces still change by is little beside the motion, by which it is closed; what rests has none."""
+    if force is None:
+        return True
+    missed = 0.0
+    for t in range(tools.mode.shape[0]):
+        missed += change * T * _length(touch.pull, t) * _length(touch.mean, t)
+    return force.parts is None and missed <= _LITTLE * op.copy_scale * state.memory[MOTION]
 
 
 @part

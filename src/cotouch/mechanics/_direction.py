@@ -18,8 +18,6 @@ COARSE = 0.03
 FEW = 2
 # Change of v̂ from one look to the next, of itself, below which the next would change it by rounding only.
 _SETTLED = 1e-9
-# And change of places, which is below their rounding: who rests has a v̂ of noise alone [m].
-_STILL = 1e-18
 
 
 @part
@@ -218,17 +216,19 @@ def level(
     local_damping: Float,
     extra_damping: Float,
     T: float,
+    known: bool,
     work: Workspace,
     lanes: tuple[int, ...],
 ) -> None:
     """Moves each of several bodies as a whole so that it gets just the momentum of the forces where v̂ leads.
 
     Coarse solves, and looks that end before contact is exactly what it was, would make some out of nothing. What a tool
-    touches is left as it was found together with the tool.
+    touches is left as it was found together with the tool. `known`: the last look was where v̂ leads.
     """
     if parts is None:
         return
-    predict(op, force, state, T, True, work, lanes)
+    if not known or op.entries.shape[0] > 0:
+        predict(op, force, state, T, True, work, lanes)
     assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
     miss(op, work.diagonal, work.rhs, work, work.rhs, lanes)
     for b in range(parts.held.shape[0]):
@@ -340,4 +340,5 @@ def _lean(
     for p in range(dense.shape[0]):
         for q in range(dense.shape[1]):
             put(dense, (p, q), scale * at(dense, (p, q)))
-    return change <= _SETTLED * _SETTLED * size or T * T * change <= _STILL * _STILL
+    # Who rests has a v̂ of noise alone, which changes places by less than they are rounded.
+    return change <= _SETTLED * _SETTLED * size or T * T * change <= force.rounding * force.rounding

@@ -44,6 +44,7 @@ class BodyForce(NamedTuple):
         gravity: acceleration of each row, (rows, 4) [m/s²]; a tool among the bodies has none.
         directions: how often a step looks where its force leads before it moves, >= 1.
         grain: energy that the rounding of places alone makes, of the whole body [J].
+        rounding: of places as far from the middle as the body at rest reaches [m].
         world: what the body's skin meets; None: nothing.
         parts: each body's share in the balance, of several; None: there is one.
         behind: where in a copy's memory begins what is not the law's: of the world, and which elements were cut; 0:
@@ -55,6 +56,7 @@ class BodyForce(NamedTuple):
     gravity: Float
     directions: int
     grain: float
+    rounding: float
     world: World | None = None
     behind: int = 0
     cut: int = -1

@@ -156,9 +156,10 @@ def force_of(body: Body, material: Material, order: Int | None) -> tuple[BodyFor
         if part.tool is not None:
             gravity[row[part.first : part.last]] = 0.0
     # Places are as large as the body, or some times that where it has travelled.
-    away = _FAR * np.finfo(np.float64).eps * float(np.abs(rest).max())
-    grain = away * away * float(abs(body.stiffness_int).sum())
-    return BodyForce(law=law, gravity=gravity, directions=directions, grain=grain, parts=parts), size
+    rounding = np.finfo(np.float64).eps * float(np.abs(rest).max())
+    grain = (_FAR * rounding) ** 2 * float(abs(body.stiffness_int).sum())
+    force = BodyForce(law=law, gravity=gravity, directions=directions, grain=grain, rounding=rounding, parts=parts)
+    return force, size
 
 
 def _together(body: Body, row: Int, rigid: Int) -> tuple[Together, int, int]:

@@ -122,7 +122,8 @@ class Meeting(NamedTuple):
         touched: scratch: bodies that are near another, (bodies,).
         stack: scratch of the search, (B,).
         entries: scratch: whether `point` is of this step, and how many there are, (2,).
-        bound: scratch: how far rows may move before `point` must be looked for anew, (1,) [m].
+        bound: scratch: how far rows may move before `point` must be looked for anew, and how far they do, (2,) [m].
+        looked: scratch: where they were when it was, (rows, 3) [m].
         point: scratch: points that may meet another body in the step, (P,).
         other: scratch: which one, (P,).
         first: scratch: first triangle of each in `near`, and one past the last, (P, 2); less than 0: all.
@@ -133,8 +134,6 @@ class Meeting(NamedTuple):
         ended: scratch: as `began`, where the step would end.
         coefficient: scratch: how much of each row moves a point past its triangle, (rows,).
         moved: scratch: rows for which that is not 0, of those that are solved for at once, (rows,).
-        alike: scratch: what resists motion between rows that are solved for at once, the same along each axis, on
-            the diagonal and below it, (these rows, these rows) [Ns/m].
         met: result.
         push: result: what tools do to the rows of the others, for the whole body, (rows, 4); (0, 4) without tools [N].
     """
@@ -172,6 +171,7 @@ class Meeting(NamedTuple):
     stack: Int
     entries: Int
     bound: Float
+    looked: Float
     point: Int
     other: Int
     first: Int
@@ -181,6 +181,5 @@ class Meeting(NamedTuple):
     ended: Float
     coefficient: Float
     moved: Int
-    alike: Float
     met: Met
     push: Float

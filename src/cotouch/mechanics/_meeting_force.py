@@ -14,17 +14,17 @@ from cotouch.mechanics._kernel import block, inner, part
 from cotouch.mechanics._meeting import Meeting
 from cotouch.mechanics._meeting_look import gather, make_ready, point_at
 from cotouch.mechanics._meeting_near import FAR_SIDE, crossing, follow
+from cotouch.mechanics._pressed_point import Pressed, Resists, pressed, resists, stretched, untouched
 from cotouch.mechanics._tool_bodies import note_push
 from cotouch.mechanics._vector import at, put
 from cotouch.mechanics._world import World
+from cotouch.mechanics._world_lean import couple_rows
 from cotouch.mechanics._world_offset import follow_offset, offset_of
 
 # Normals that look so much against each other are of opposite sides.
 _AGAINST = -0.5
 # A force that does not do the work by which its energy changes is turned by at most this tangent; beyond rounding.
 _TURNED, _ROUNDING = 0.5, 1e-13
-# Force on a point, energy held, energy lost, what resists motion, stretch at the end, whether it slips.
-_Met = tuple[float, float, float, float, float, float, float, float, float, float]
 
 
 @inner
@@ -89,73 +89,32 @@ def _carrier(m: Meeting, e: int) -> int:
 @part
 def _meet(
     world: World, m: Meeting, memory: Float, e: int, here: int, mx: float, my: float, mz: float, T: float
-) -> _Met:
-    """One point and the body that it may meet, whose nearest triangle it passes by m; see `_world_force._meet`."""
+) -> tuple[tuple[float, float, float], Pressed]:
+    """One point and the body that it may meet, whose nearest triangle it passes by m: the normal, and what it feels."""
     p = at(m.point, e)
     pair = at(m.part, p), at(m.other, e)
     off = offset_of(world, memory, world.kind.shape[0] * world.area.shape[0] + p)
     before, after = at(m.began, (e, 0)) - off, at(m.ended, (e, 0)) - off
     k = at(m.stiffness, pair) * at(world.area, p) * at(world.there, p)
-    loss, friction = at(m.loss, pair), at(m.friction, pair)
     sx, sy, sz = at(memory, here), at(memory, here + 1), at(memory, here + 2)
-    grip = 0.5 * k
-    held = 0.5 * grip * (sx * sx + sy * sy + sz * sz)
     if before <= 0.0 and after <= 0.0:
-        return 0.0, 0.0, 0.0, 0.0, held, 0.0, 0.0, 0.0, 0.0, 0.0
-    deeper = after - before
-    if before > 0.0 and after > 0.0:
-        push = 0.5 * k * (before + after)
-    elif after > 0.0:
-        push = 0.5 * k * after * (after / deeper)
-    else:
-        push = -0.5 * k * before * (before / deeper)
+        return (0.0, 0.0, 0.0), untouched(stretched(k, sx, sy, sz))
     nx = (at(m.began, (e, 1)) if before > 0.0 else 0.0) + (at(m.ended, (e, 1)) if after > 0.0 else 0.0)
     ny = (at(m.began, (e, 2)) if before > 0.0 else 0.0) + (at(m.ended, (e, 2)) if after > 0.0 else 0.0)
     nz = (at(m.began, (e, 3)) if before > 0.0 else 0.0) + (at(m.ended, (e, 3)) if after > 0.0 else 0.0)
     size = math.sqrt(nx * nx + ny * ny + nz * nz)
     scale = 1.0 / size if size > 0.0 else 0.0
     nx, ny, nz = scale * nx, scale * ny, scale * nz
-    along = mx * nx + my * ny + mz * nz
     square = mx * mx + my * my + mz * mz
-    off = deeper + along
+    off = after - before + mx * nx + my * ny + mz * nz
     gx, gy, gz = nx, ny, nz
     if abs(off) > _ROUNDING * (abs(before) + abs(after) + m.lever) and square > 0.0:
         short = min(max(off, -_TURNED * math.sqrt(square)), _TURNED * math.sqrt(square)) / square
         gx, gy, gz = nx - short * mx, ny - short * my, nz - short * mz
-    change = max(loss * deeper / T, -1.0)
-    stored, lost = 0.0, push * change * deeper
-    if after > 0.0:
-        stored = 0.5 * k * after * after
-    total = push * (1.0 + change)
-    fx, fy, fz = total * gx, total * gy, total * gz
-    firm = (0.5 * k * T if after > 0.0 else 0.0) + push * loss
-    if friction <= 0.0:
-        return fx, fy, fz, stored, lost, firm, 0.0, 0.0, 0.0, 0.0
-    across = sx * nx + sy * ny + sz * nz
-    sx, sy, sz = sx - across * nx, sy - across * ny, sz - across * nz
-    lost += max(held - 0.5 * grip * (sx * sx + sy * sy + sz * sz), 0.0)
-    tx, ty, tz = sx + mx - along * nx, sy + my - along * ny, sz + mz - along * nz
-    trial = math.sqrt(tx * tx + ty * ty + tz * tz)
-    cone = (at(m.kinetic, pair) if at(memory, here + 3) != 0.0 else friction) * total / grip
-    share, slips = 1.0, 0.0
-    if trial > cone:
-        share, slips = at(m.kinetic, pair) * total / (grip * trial), 1.0
-    ex, ey, ez = share * tx, share * ty, share * tz
-    stored += 0.5 * grip * (ex * ex + ey * ey + ez * ez)
-    lost += grip * (ex * (tx - ex) + ey * (ty - ey) + ez * (tz - ez))
-    lost += 0.5 * grip * ((ex - sx) ** 2 + (ey - sy) ** 2 + (ez - sz) ** 2)
-    firm = max(firm, share * grip * T)
-    # A dashpot beside what holds, as far as the cone has room.
-    slide = math.sqrt(max((mx - along * nx) ** 2 + (my - along * ny) ** 2 + (mz - along * nz) ** 2, 0.0))
-    drag = min(0.5 * push * loss * slide / T, max(cone - math.sqrt(ex * ex + ey * ey + ez * ez), 0.0) * grip)
-    if slips == 0.0 and drag > 0.0:
-        lost += drag * slide
-        fx, fy, fz = (
-            fx - drag * (mx - along * nx) / slide,
-            fy - drag * (my - along * ny) / slide,
-            fz - drag * (mz - along * nz) / slide,
-        )
-    return fx - grip * ex, fy - grip * ey, fz - grip * ez, stored, lost, firm, ex, ey, ez, slips
+    return (nx, ny, nz), pressed(
+        k, at(m.loss, pair), at(m.friction, pair), at(m.kinetic, pair), before, after, nx, ny, nz, gx, gy, gz,
+        mx, my, mz, sx, sy, sz, at(memory, here + 3), T,
+    )  # fmt: skip
 
 
 @inner
@@ -190,8 +149,7 @@ def press_bodies(
     make_ready(world, m, memory, x, ahead)
     points = world.area.shape[0]
     slot, change, size = world.kind.shape[0] * points, 0.0, 0.0
-    for n in range(m.alike.size):
-        put(m.alike, n, 0.0)
+    at_once = world.couple.shape[0] == 3 * world.hold.shape[0]
     _alone(m)
     for e in range(at(m.entries, 1)):
         p = at(m.point, e)
@@ -204,7 +162,8 @@ def press_bodies(
         bx, by, bz = _beside(m, e, f, m.later)
         mx, my, mz = (qx - px) - (bx - ax), (qy - py) - (by - ay), (qz - pz) - (bz - az)
         here = world.first + 4 * (slot + p)
-        fx, fy, fz, _, _, firm, _, _, _, _ = _meet(world, m, memory, e, here, mx, my, mz, T)
+        normal, found = _meet(world, m, memory, e, here, mx, my, mz, T)
+        fx, fy, fz, firm = found[0], found[1], found[2], found[5]
         told = slot + p
         change += (fx - at(world.told, (told, 0))) ** 2
         change += (fy - at(world.told, (told, 1))) ** 2 + (fz - at(world.told, (told, 2))) ** 2
@@ -221,13 +180,10 @@ def press_bodies(
             v, share = at(m.corner, (f, q)), at(m.ended, (e, 4 + q))
             for n in range(at(m.pointer, v), at(m.pointer, v + 1)):
                 _give(at(m.row, n), share * at(m.share, n), firm, -fx, -fy, -fz, world, out)
-        if m.alike.shape[0] > 0:
-            _couple(world, m, e, f, firm)
-    for i in range(m.alike.shape[0]):
-        for j in range(m.alike.shape[0]):
-            for a in range(3):
-                place = (3 * i + a, 3 * j + a)
-                put(world.couple, place, at(world.couple, place) + at(m.alike, (max(i, j), min(i, j))))
+        if at_once:
+            _couple(world, m, e, f, resists(normal, found))
+        elif world.couple.shape[0] > 0:  # beside rows that one number resists, which the next look finds
+            _couple(world, m, e, f, (firm, 0.0, 0.0, 0.0, firm, 0.0, 0.0, 0.0, firm))
     return change, size
 
 
@@ -247,8 +203,8 @@ def _note(world: World, m: Meeting, count: int, own: int, share: float) -> int:
 
 
 @part
-def _couple(world: World, m: Meeting, e: int, f: int, firm: float) -> None:
-    """What resists that an entry's point passes its triangle, between all rows that move either."""
+def _couple(world: World, m: Meeting, e: int, f: int, by: Resists) -> None:
+    """What resists that an entry's point passes its triangle, between all rows that move either; see `couple`."""
     p, count = at(m.point, e), 0
     for n in range(at(world.pointer, p), at(world.pointer, p + 1)):
         count = _note(world, m, count, at(world.row, n), at(world.share, n))
@@ -256,12 +212,7 @@ def _couple(world: World, m: Meeting, e: int, f: int, firm: float) -> None:
         v = at(m.corner, (f, q))
         for n in range(at(m.pointer, v), at(m.pointer, v + 1)):
             count = _note(world, m, count, at(m.row, n), -at(m.ended, (e, 4 + q)) * at(m.share, n))
-    for i in range(count):
-        one, own = at(m.moved, i), firm * at(m.coefficient, i)
-        for j in range(i + 1):
-            other = at(m.moved, j)
-            place = (max(one, other), min(one, other))
-            put(m.alike, place, at(m.alike, place) + own * at(m.coefficient, j))
+    couple_rows(world, m.moved, m.coefficient, 0, count, by)
 
 
 @part
@@ -294,9 +245,9 @@ def weigh_bodies(
         ax, ay, az = _beside(m, e, f, m.place)
         bx, by, bz = _beside(m, e, f, m.later)
         here = world.first + 4 * (slot + p)
-        fx, fy, fz, stored, gone, _, ex, ey, ez, slips = _meet(
-            world, m, memory, e, here, (qx - px) - (bx - ax), (qy - py) - (by - ay), (qz - pz) - (bz - az), T
-        )
+        mx, my, mz = (qx - px) - (bx - ax), (qy - py) - (by - ay), (qz - pz) - (bz - az)
+        _, found = _meet(world, m, memory, e, here, mx, my, mz, T)
+        fx, fy, fz, stored, gone, _, ex, ey, ez, slips, _, _, _, _, _ = found
         energy, lost = energy + stored, lost + gone
         own = at(m.part, p)
         firm = at(m.stiffness, (own, other)) * at(world.area, p) * at(world.there, p)

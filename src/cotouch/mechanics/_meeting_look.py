@@ -87,10 +87,15 @@ def _near(m: Meeting, one: int, two: int, reach: float) -> bool:
 
 
 @inner
-def begin_bodies(m: Meeting | None) -> None:
-    """A step begins: what is near where is not known."""
-    if m is not None:
-        put(m.entries, 0, 0)
+def begin_bodies(m: Meeting | None, x: Float) -> None:
+    """A step begins: what is near where is known only if it was looked for just here, and nothing was cut since."""
+    if m is not None and at(m.entries, 0) != 0:
+        same = m.away < 0 and m.hidden.shape[0] == 0
+        for i in range(x.shape[0]):
+            for a in range(3):
+                same = same and at(x, (i, a)) == at(m.looked, (i, a))
+        if not same:
+            put(m.entries, 0, 0)
 
 
 @inner
@@ -164,6 +169,9 @@ def gather(world: World, m: Meeting, memory: Float, x: Float, bound: float) -> N
     put(m.entries, 0, 1)
     put(m.entries, 1, count)
     put(m.bound, 0, bound)
+    for i in range(x.shape[0]):
+        for a in range(3):
+            put(m.looked, (i, a), at(x, (i, a)))
 
 
 @part
@@ -178,6 +186,7 @@ def make_ready(world: World, m: Meeting, memory: Float, x: Float, ahead: Float) 
         )
         farthest = max(farthest, dx * dx + dy * dy + dz * dz)
     farthest = math.sqrt(farthest)
+    put(m.bound, 1, farthest)
     bound = max(_AHEAD * farthest, m.slack)
     if at(m.entries, 0) == 0 or farthest > at(m.bound, 0) or at(m.bound, 0) > _GENEROUS * bound:
         gather(world, m, memory, x, bound)

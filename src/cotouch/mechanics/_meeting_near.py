@@ -72,6 +72,22 @@ def normal(place: Float, i: int, j: int, k: int) -> tuple[float, float, float]:
     return scale * nx, scale * ny, scale * nz
 
 
+@inner
+def _outside(m: Meeting, place: Float, f: int, x: float, y: float, z: float) -> float:
+    """Square of the distance from a point to the box around a triangle."""
+    square = 0.0
+    for a in range(3):
+        here = x if a == 0 else y if a == 1 else z
+        p, q, r = (
+            at(place, (at(m.corner, (f, 0)), a)),
+            at(place, (at(m.corner, (f, 1)), a)),
+            at(place, (at(m.corner, (f, 2)), a)),
+        )
+        apart = max(min(p, q, r) - here, here - max(p, q, r), 0.0)
+        square += apart * apart
+    return square
+
+
 @part
 def keep_nearer(m: Meeting, place: Float, f: int, x: float, y: float, z: float, e: int, out: Float, col: int) -> None:
     """Notes a triangle in row e of `out`, and of `face`, if it is nearer than what is noted there.
@@ -83,13 +99,7 @@ def keep_nearer(m: Meeting, place: Float, f: int, x: float, y: float, z: float, 
         return
     i, j, k = at(m.corner, (f, 0)), at(m.corner, (f, 1)), at(m.corner, (f, 2))
     best = at(out, (e, 0))
-    square = 0.0  # to the box around it
-    for axis in range(3):
-        here = x if axis == 0 else y if axis == 1 else z
-        p, q, r = at(place, (i, axis)), at(place, (j, axis)), at(place, (k, axis))
-        apart = max(min(p, q, r) - here, here - max(p, q, r), 0.0)
-        square += apart * apart
-    if square > best * (1.0 + _ALIKE):
+    if _outside(m, place, f, x, y, z) > best * (1.0 + _ALIKE):
         return
     square, a, b, c, within = foot(place, i, j, k, x, y, z)
     if square > best * (1.0 + _ALIKE):
@@ -233,17 +243,11 @@ def collect(m: Meeting, body: int, p: int, x: float, y: float, z: float, reach: 
             f = at(m.leaf, n)
             if is_hidden(m, f):
                 continue
-            square = 0.0
-            for a in range(3):
-                here = x if a == 0 else y if a == 1 else z
-                i, j, k = (
-                    at(m.place, (at(m.corner, (f, 0)), a)),
-                    at(m.place, (at(m.corner, (f, 1)), a)),
-                    at(m.place, (at(m.corner, (f, 2)), a)),
-                )
-                apart = max(min(i, j, k) - here, here - max(i, j, k), 0.0)
-                square += apart * apart
-            if square <= reach * reach and not (own and _beside(m, p, f)):
+            if _outside(m, m.place, f, x, y, z) > reach * reach or (own and _beside(m, p, f)):
+                continue
+            i, j, k = at(m.corner, (f, 0)), at(m.corner, (f, 1)), at(m.corner, (f, 2))
+            square, _, _, _, _ = foot(m.place, i, j, k, x, y, z)
+            if square <= reach * reach * (1.0 + _ALIKE):
                 if count >= room:
                     return -1
                 put(m.near, count, f)
@@ -254,6 +258,12 @@ def collect(m: Meeting, body: int, p: int, x: float, y: float, z: float, reach: 
 @part
 def follow(m: Meeting, e: int, x: float, y: float, z: float) -> float:
     """Depth of an entry's point where the step would end; row e of `ended` gets what belongs to it."""
+    if at(m.bound, 1) == 0.0:  # nothing moves
+        for n in range(8):
+            put(m.ended, (e, n), at(m.began, (e, n)))
+        put(m.face, (e, 2), at(m.face, (e, 0)))
+        put(m.face, (e, 3), at(m.face, (e, 1)))
+        return at(m.ended, (e, 0))
     _clear(m, e, m.ended, 2, math.inf)
     first, last = at(m.first, (e, 0)), at(m.first, (e, 1))
     if at(m.face, (e, 0)) >= 0:  # most likely still the nearest

@@ -11,14 +11,14 @@ from cotouch.body import Body, CutSkin
 from cotouch.mechanics._meeting import Between, Meeting, Met, Parts
 from cotouch.mechanics._meeting_own import own_of, unmet
 from cotouch.mechanics._shape_solid import Solid
-from cotouch.mechanics._tool_bodies import copies_of, rigid_rows
+from cotouch.mechanics._tool_bodies import copies_of
 from cotouch.mechanics._world import Obstacle
 
 _LEAF = 4
 # Room for triangles near points: so many a point, and for all triangles so many times.
 _NEAR, _ALL = 48, 8
 # Rows may move by this share of the thinnest body before what is near is looked for anew.
-_SLACK = 1e-3
+_SLACK = 1e-4
 # By which power of the ratio of their skins' areas a smaller body's points count more.
 _SMALLER = 4.0
 # Numbers of each body's balance.
@@ -165,7 +165,8 @@ def meeting_of(
         touched=np.zeros(bodies, dtype=np.int32),
         stack=np.zeros(boxes[-1] + 2, dtype=np.int32),
         entries=np.zeros(2, dtype=np.int32),
-        bound=np.zeros(1),
+        bound=np.zeros(2),
+        looked=np.zeros((body.nodes, 3)),
         point=np.zeros(count, dtype=np.int32),
         other=np.zeros(count, dtype=np.int32),
         first=np.zeros((count, 2), dtype=np.int32),
@@ -175,7 +176,6 @@ def meeting_of(
         ended=np.zeros((count + 1, 8)),
         coefficient=np.zeros(body.nodes),
         moved=np.zeros(body.nodes, dtype=np.int32),
-        alike=np.zeros((rigid_rows(body, order).size,) * 2),
         met=met_of(bodies),
         push=np.zeros((body.nodes if body.tools else 0, 4)),
     )

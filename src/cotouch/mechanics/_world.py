@@ -85,8 +85,11 @@ class World(NamedTuple):
         kinetic: (S,).
         grain: energy that the rounding of places alone makes [J].
         hold: scratch: what resists motion of the rows, (rows,) [Ns/m].
+        among: which of the rows that are solved for at once each of `row` is, (entries,); negative: none of them.
         rigid: which of the rows that are solved for at once each row is, (rows,); negative: none of them.
-        couple: scratch: what resists motion between these, (3 of them, 3 of them) [Ns/m].
+        pairs: scratch: what resists motion between each of these and those before it, the same both ways, a matrix of
+            the axes, (3 * their number squared, 4) [Ns/m].
+        couple: scratch: the same between all of them, (3 of them, 3 of them) [Ns/m].
         told: scratch: force on each point by the last look, ((S + 1) * P, 4), or (S * P, 4) of one body [N].
         start: scratch: displacement of each point at the start of the step, and how far it is from all obstacles,
             (P, 4) [m].
@@ -122,7 +125,9 @@ class World(NamedTuple):
     kinetic: Float
     grain: float
     hold: Float
+    among: Int
     rigid: Int
+    pairs: Float
     couple: Float
     told: Float
     start: Float

@@ -33,6 +33,6 @@ def follow_world(world: World, memory: Float, x: Float, ahead: Float, T: float) 
     Returns:
         Energy held and energy lost [J], of the whole body.
     """
-    take_up(world, memory)
+    take_up(world, memory, x)
     energy, lost, _ = weigh_world(world, memory, x, ahead, T)
     return energy, lost

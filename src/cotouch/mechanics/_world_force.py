@@ -1,9 +1,4 @@
-"""What obstacles do to a body: pressure by the depth of every point of its skin, damping, and friction.
-
-All of it is a function of where the points were and where they are. Pressure is the discrete gradient of its energy, so
-it does just the work by which that changes; friction is a spring along the face whose stretch is remembered, and what
-is beyond the cone slips [return mapping, Simo & Hughes 1998]. Both lose at least 0 for any motion.
-"""
+"""What obstacles do to a body: pressure by the depth of every point of its skin, damping, and friction."""
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false
 
@@ -19,11 +14,12 @@ from cotouch.mechanics._meeting_force import (
     weigh_bodies,
 )
 from cotouch.mechanics._meeting_look import begin_bodies, point_away
+from cotouch.mechanics._pressed_point import Pressed, pressed, resists, stretched, untouched
 from cotouch.mechanics._shape import depth, passes
 from cotouch.mechanics._state import WORLD_FORCE
 from cotouch.mechanics._vector import at, put, splat, store
 from cotouch.mechanics._world import World
-from cotouch.mechanics._world_lean import couple, mirror
+from cotouch.mechanics._world_lean import clear_pairs, couple, spread_pairs
 from cotouch.mechanics._world_offset import follow_offset, offset_of
 
 # Looks at most that a step with obstacles takes, and the change of forces from one to the next at which they end.
@@ -31,11 +27,8 @@ _LOOKS = 16
 _SETTLED = 1e-7
 # What rounding may add to how far a point comes, as a factor.
 _SURELY = 1.0 + 1e-9
-# Result of one point: force on the body, energy held, energy lost, what resists motion, stretch at the end, whether it
-# slips, and whether it passed through; then the normal, and what resists along it and across.
-_Point = tuple[
-    float, float, float, float, float, float, float, float, float, float, bool, float, float, float, float, float
-]  # fmt: skip
+# Of one point whether it passed through, the normal, and what it feels.
+_Point = tuple[bool, tuple[float, float, float], Pressed]
 
 
 @inner
@@ -61,21 +54,8 @@ def _meet(
     here, off = world.first + 4 * slot, offset_of(world, memory, slot)
     before, after = before - off, after - off
     sx, sy, sz = at(memory, here), at(memory, here + 1), at(memory, here + 2)
-    # Half as stiff along a face as across it: within a step, both then resist alike.
-    grip = 0.5 * k
-    held = 0.5 * grip * (sx * sx + sy * sy + sz * sz)
     if before <= 0.0 and after <= 0.0:
-        return 0.0, 0.0, 0.0, 0.0, held, 0.0, 0.0, 0.0, 0.0, 0.0, passed, 0.0, 0.0, 0.0, 0.0, 0.0
-    deeper = after - before
-    # Mean pressure: the difference of ½ k depth² over that of depth.
-    if before > 0.0 and after > 0.0:
-        push, slope = 0.5 * k * (before + after), 0.5 * k
-    elif after > 0.0:
-        part_in = after / deeper
-        push, slope = 0.5 * k * after * part_in, 0.5 * k * part_in * (2.0 - part_in)
-    else:
-        part_in = before / deeper
-        push, slope = -0.5 * k * before * part_in, 0.5 * k * part_in * part_in
+        return passed, (0.0, 0.0, 0.0), untouched(stretched(k, sx, sy, sz))
     if after <= 0.0:
         nx, ny, nz = ax, ay, az
     gx, gy, gz = nx, ny, nz
@@ -85,51 +65,12 @@ def _meet(
             if size > 0.0:
                 nx, ny, nz = (nx + ax) / size, (ny + ay) / size, (nz + az) / size
         square = mx * mx + my * my + mz * mz
-        short = (deeper + nx * mx + ny * my + nz * mz) / square if square > 0.0 else 0.0
+        short = (after - before + nx * mx + ny * my + nz * mz) / square if square > 0.0 else 0.0
         gx, gy, gz = nx - short * mx, ny - short * my, nz - short * mz
-    change = max(at(world.loss, s) * deeper / T, -1.0)
-    stored, lost = 0.0, push * change * deeper
-    if after > 0.0:
-        stored = 0.5 * k * after * after
-    total = push * (1.0 + change)
-    fx, fy, fz = total * gx, total * gy, total * gz
-    firm = (0.5 * k * T if after > 0.0 else 0.0) + push * at(world.loss, s)
-    along = slope * (1.0 + change) * T + (push * at(world.loss, s) if change > -1.0 else 0.0)
-    slips = 0.0
-    if at(world.friction, s) <= 0.0:
-        return fx, fy, fz, stored, lost, firm, 0.0, 0.0, 0.0, 0.0, passed, nx, ny, nz, along, 0.0
-    across = sx * nx + sy * ny + sz * nz
-    sx, sy, sz = sx - across * nx, sy - across * ny, sz - across * nz
-    lost += max(held - 0.5 * grip * (sx * sx + sy * sy + sz * sz), 0.0)
-    up = mx * nx + my * ny + mz * nz
-    tx, ty, tz = sx + mx - up * nx, sy + my - up * ny, sz + mz - up * nz
-    trial = math.sqrt(tx * tx + ty * ty + tz * tz)
-    was = at(memory, here + 3)
-    cone = (at(world.kinetic, s) if was != 0.0 else at(world.friction, s)) * total / grip
-    share = 1.0
-    if trial > cone:
-        share, slips = at(world.kinetic, s) * total / (grip * trial), 1.0
-    ex, ey, ez = share * tx, share * ty, share * tz
-    stored += 0.5 * grip * (ex * ex + ey * ey + ez * ez)
-    lost += grip * (ex * (tx - ex) + ey * (ty - ey) + ez * (tz - ez))
-    lost += 0.5 * grip * ((ex - sx) ** 2 + (ey - sy) ** 2 + (ez - sz) ** 2)
-    firm = max(firm, share * grip * T)
-    # A dashpot beside what holds, as far as the cone has room.
-    slide = math.sqrt(max((mx - up * nx) ** 2 + (my - up * ny) ** 2 + (mz - up * nz) ** 2, 0.0))
-    drag = min(
-        0.5 * push * at(world.loss, s) * slide / T, max(cone - math.sqrt(ex * ex + ey * ey + ez * ez), 0.0) * grip
-    )
-    across = share * grip * T
-    if slips == 0.0 and drag > 0.0:
-        across += drag * T / slide
-        lost += drag * slide
-        fx, fy, fz = (
-            fx - drag * (mx - up * nx) / slide,
-            fy - drag * (my - up * ny) / slide,
-            fz - drag * (mz - up * nz) / slide,
-        )
-    fx, fy, fz = fx - grip * ex, fy - grip * ey, fz - grip * ez
-    return fx, fy, fz, stored, lost, firm, ex, ey, ez, slips, passed, nx, ny, nz, along, across
+    return passed, (nx, ny, nz), pressed(
+        k, at(world.loss, s), at(world.friction, s), at(world.kinetic, s), before, after, nx, ny, nz, gx, gy, gz,
+        mx, my, mz, sx, sy, sz, at(memory, here + 3), T,
+    )  # fmt: skip
 
 
 @inner
@@ -143,7 +84,7 @@ def _place(world: World, p: int, x: Float) -> tuple[float, float, float]:
 
 
 @part
-def take_up(world: World | None, memory: Float) -> None:
+def take_up(world: World | None, memory: Float, x: Float) -> None:
     """Takes the stretches that the last step came to as those that the next begins with."""
     if world is not None:
         put(world.known, 0, 0.0)
@@ -155,7 +96,7 @@ def take_up(world: World | None, memory: Float) -> None:
             for n in range(count):
                 put(memory, world.offset + n, at(memory, world.offset + count + n))
                 put(memory, world.offset + count + n, 0.0)
-        begin_bodies(world.bodies)
+        begin_bodies(world.bodies, x)
 
 
 @part
@@ -224,8 +165,7 @@ def press_world(
                 missed = hold * ((at(ahead, (i, a)) - at(x, (i, a))) / T - at(world.tried, (i, a)))
                 change += missed * missed
         put(world.hold, i, 0.0)
-    for n in range(world.couple.size):
-        put(world.couple, n, 0.0)
+    clear_pairs(world)
     far *= _SURELY * world.reach
     if world.kind.shape[0] > 0 and at(world.known, 0) == 0.0:
         _begin(world, x)
@@ -240,12 +180,11 @@ def press_world(
         rx, ry, rz = at(world.rest, (p, 0)) + ux, at(world.rest, (p, 1)) + uy, at(world.rest, (p, 2)) + uz
         fx = fy = fz = firm = 0.0
         for s in range(world.kind.shape[0]):
-            a, b, c, _, _, resists, _, _, _, _, _, nx, ny, nz, along, across = _meet(
-                world, memory, s, p, rx, ry, rz, vx - ux, vy - uy, vz - uz, T
-            )
-            fx, fy, fz, firm = fx + a, fy + b, fz + c, firm + resists
-            if resists > 0.0 or along > 0.0:
-                couple(world, p, nx, ny, nz, along - across, across)
+            _, normal, found = _meet(world, memory, s, p, rx, ry, rz, vx - ux, vy - uy, vz - uz, T)
+            a, b, c, firm_here, along = found[0], found[1], found[2], found[5], found[10]
+            fx, fy, fz, firm = fx + a, fy + b, fz + c, firm + firm_here
+            if firm_here > 0.0 or along > 0.0:
+                couple(world, p, resists(normal, found))
         change += _tell(world, p, fx, fy, fz)
         size += fx * fx + fy * fy + fz * fz
         if firm == 0.0 and fx == 0.0 and fy == 0.0 and fz == 0.0:
@@ -257,8 +196,8 @@ def press_world(
             put(out, (i, 1), at(out, (i, 1)) - share * fy)
             put(out, (i, 2), at(out, (i, 2)) - share * fz)
             put(world.hold, i, at(world.hold, i) + abs(share) * firm)
-    mirror(world)
     more, beside = press_bodies(world, world.bodies, firmness, memory, x, ahead, T, out)
+    spread_pairs(world)
     change, size = change + more, size + beside
     return change <= _SETTLED * _SETTLED * size
 
@@ -311,9 +250,8 @@ def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: f
         vx, vy, vz = _place(world, p, ahead)
         rx, ry, rz = at(world.rest, (p, 0)) + ux, at(world.rest, (p, 1)) + uy, at(world.rest, (p, 2)) + uz
         for s in range(world.kind.shape[0]):
-            a, b, c, stored, gone, _, ex, ey, ez, slips, through, _, _, _, _, _ = _meet(
-                world, memory, s, p, rx, ry, rz, vx - ux, vy - uy, vz - uz, T
-            )
+            through, _, found = _meet(world, memory, s, p, rx, ry, rz, vx - ux, vy - uy, vz - uz, T)
+            a, b, c, stored, gone, _, ex, ey, ez, slips, _, _, _, _, _ = found
             energy, lost, passed = energy + stored, lost + gone, passed or through
             here = kept + 4 * (s * points + p)
             put(memory, here, ex)

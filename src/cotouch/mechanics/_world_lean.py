@@ -2,54 +2,65 @@
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._pressed_point import Resists
 from cotouch.mechanics._state import Workspace
-from cotouch.mechanics._vector import at, load, put, store
+from cotouch.mechanics._vector import FOUR, at, four, load, put, splat, store
 from cotouch.mechanics._world import World
 
 
 @inner
-def couple(world: World, p: int, nx: float, ny: float, nz: float, more: float, across: float) -> None:
-    """Adds what resists motion of a point, `across I + more n nᵀ`, to the lower half of what couples the rows at it.
+def couple(world: World, p: int, by: Resists) -> None:
+    """Adds what resists motion of a point to what couples the rows at it; see `couple_rows`."""
+    if world.couple.shape[0] > 0:
+        couple_rows(world, world.among, world.share, at(world.pointer, p), at(world.pointer, p + 1), by)
+
+
+@part
+def couple_rows(world: World, rows: Int, shares: Float, first: int, last: int, by: Resists) -> None:
+    """Adds what resists motion of a point to what couples pairs of the rows that move it.
 
     Args:
         world: obstacles and points.
-        p: the point.
-        nx: the normal.
-        ny: likewise.
-        nz: likewise.
-        more: along that [Ns/m].
-        across: whichever way [Ns/m].
+        rows: numbers of those that are solved for at once; negative: none of them.
+        shares: how much each moves.
+        first: of these two, the first that counts.
+        last: and one past the last.
+        by: what resists.
     """
-    if world.couple.shape[0] > 0:
-        xx, yy, zz = more * nx * nx + across, more * ny * ny + across, more * nz * nz + across
-        yx, zx, zy = more * ny * nx, more * nz * nx, more * nz * ny
-        for e in range(at(world.pointer, p), at(world.pointer, p + 1)):
-            r, own = at(world.rigid, at(world.row, e)), at(world.share, e)
-            for other in range(at(world.pointer, p), at(world.pointer, p + 1) if r >= 0 else 0):
-                s = at(world.rigid, at(world.row, other))
-                if s > r:
-                    continue
-                i, j, share = 3 * r, 3 * s, own * at(world.share, other)
-                _add_couple(world, i, j, share * xx, share * yx, share * zx)
-                _add_couple(world, i + 1, j, share * yx, share * yy, share * zy)
-                _add_couple(world, i + 2, j, share * zx, share * zy, share * zz)
+    x, y, z = four(by[0], by[1], by[2], 0.0), four(by[3], by[4], by[5], 0.0), four(by[6], by[7], by[8], 0.0)
+    count = world.couple.shape[0] // 3
+    for e in range(first, last):
+        r, own = at(rows, e), at(shares, e)
+        for other in range(first, e + 1 if r >= 0 else first):
+            s = at(rows, other)
+            if s >= 0:
+                share, place = own * at(shares, other), 3 * (max(r, s) * count + min(r, s))
+                store(world.pairs, place, load(world.pairs, place, FOUR) + share * x, FOUR)
+                store(world.pairs, place + 1, load(world.pairs, place + 1, FOUR) + share * y, FOUR)
+                store(world.pairs, place + 2, load(world.pairs, place + 2, FOUR) + share * z, FOUR)
 
 
-@inner
-def _add_couple(world: World, i: int, j: int, a: float, b: float, c: float) -> None:
-    put(world.couple, (i, j), at(world.couple, (i, j)) + a)
-    put(world.couple, (i, j + 1), at(world.couple, (i, j + 1)) + b)
-    put(world.couple, (i, j + 2), at(world.couple, (i, j + 2)) + c)
+@part
+def clear_pairs(world: World) -> None:
+    """Nothing couples rows."""
+    zero = splat(0.0, FOUR)
+    for place in range(world.pairs.shape[0]):
+        store(world.pairs, place, zero, FOUR)
 
 
-@inner
-def mirror(world: World) -> None:
-    """What couples rows, of which the lower half is known, is symmetric."""
-    for i in range(world.couple.shape[0]):
-        for j in range(i):
-            put(world.couple, (j, i), at(world.couple, (i, j)))
+@part
+def spread_pairs(world: World) -> None:
+    """Makes of what was added up for each pair of rows the matrix of all of them."""
+    count = world.couple.shape[0] // 3
+    for r in range(count):
+        for s in range(r + 1):
+            for a in range(3):
+                for b in range(3):
+                    value = at(world.pairs, (3 * (r * count + s) + a, b))
+                    put(world.couple, (3 * r + a, 3 * s + b), value)
+                    put(world.couple, (3 * s + a, 3 * r + b), value)
 
 
 @part
