@@ -437,6 +437,15 @@ def test_paid_relays_in_trees_only() -> None:
     assert not relays("complete", 2)
 
 
+@pytest.mark.parametrize(("delay", "told"), [(0.05, 2.0), (0.4, 1.5)])
+def test_paid_tells_less_of_other_hands_the_older_they_are(delay: float, told: float) -> None:
+    whole = Study.make(laws=["paid"], networks=[{"name": "there", "delay": delay}], graph="path")
+    ends = run_batch(prepare(whole.scenario(whole.laws[0], whole.networks[0], 3, [], duration=2.0))).ends
+    assert ends is not None
+    hands = ends.mail_scalars[..., PAID.sends_scalars.index("hands")]
+    assert hands.max() == pytest.approx(told, abs=0.01)  # of the one in the middle; others know of none but theirs
+
+
 def test_the_wave_line_of_paid_is_the_same_at_both_ends_of_a_star() -> None:
     """Else copies at rest would agree on places of another scale each."""
     hub, leaf = (Facts(spring=50.0, age=0.02, age_back=0.02, degree=n, degree_back=m) for n, m in ((3, 1), (1, 3)))
