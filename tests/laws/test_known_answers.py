@@ -339,6 +339,69 @@ def test_paid_believes_its_guesses_of_hands_as_far_as_they_came_true() -> None:
     assert cost("paid", "tug", delay=0.1) < 4.5
 
 
+def test_paid_brakes_what_is_fast_and_not_heard_of_yet() -> None:
+    """Two that pull apart with stiff hands: copies that had jumped to their own hands had nothing to come back with."""
+    stiff_hands: dict[str, Any] = {"delay": 0.15, "hands": [{"stiffness": 1800.0, "damping": 6.5}]}
+    calm, not_calm = cost("paid", "tug", **stiff_hands), cost({"kind": "paid", "calm": 0.0}, "tug", **stiff_hands)
+    assert calm < 0.75 * not_calm  # 1.8 for 3.1
+    carried, before = cost("paid", "carry", **stiff_hands), cost({"kind": "paid", "calm": 0.0}, "carry", **stiff_hands)
+    assert carried == before  # what is slow is not braked
+
+
+def test_paid_brakes_what_is_fast_right_after_a_grasp_and_not_later() -> None:
+    """Whenever hands grasp; who has held for a while moves as freely as ever."""
+
+    def fastest(calm: float, begin: float) -> float:
+        scenario = Scenario.make(
+            network=two(0.1, SPRING),
+            steps={"duration": 1.6},
+            synchronisation={"law": {"kind": "paid", "calm": calm}},
+            hands=[
+                {
+                    "user": 1,
+                    "stiffness": 1800.0,
+                    "damping": 6.5,
+                    "path": [[0.5, 0.0], [0.9, 0.01], [1.4, 0.4]],
+                    "begin": begin,
+                },
+            ],
+        )
+        return float(np.abs(simulate(scenario)["velocity"].values[0, :, 0, 0]).max())
+
+    assert fastest(80.0, 1.2) < 0.8 * fastest(0.0, 1.2)  # grasps what it is far from
+    assert fastest(80.0, 0.5) == fastest(0.0, 0.5)  # moves it as far, a while after it grasped
+
+
+def test_what_a_hand_of_paid_did_is_nothing_after_it_died_away() -> None:
+    """Else numbers shrink for ever, until the processor is slow with them, and no node rests."""
+
+    def kept(duration: float) -> dict[str, float]:
+        run = run_batch(
+            prepare(
+                Scenario.make(
+                    network=two(DELAY, SPRING),
+                    steps={"duration": duration},
+                    synchronisation={"law": "paid"},
+                    hands=[
+                        {"user": i + 1, "stiffness": 300.0, "damping": 6.5, "path": 0.05 * (-1) ** i, "release": 1.0}
+                        for i in range(2)
+                    ],
+                )
+            )
+        ).ends
+        assert run is not None
+        fields = {name: PAID.keeps.index(name) for name in ("alive", "A", "A2", "slope", "P", "Q")}
+        return {name: float(np.abs(run.memory[:, at]).max()) for name, at in fields.items()}
+
+    held = kept(0.5)
+    assert held["alive"] == 1.0
+    assert held["A"] > 1.0
+    late = kept(1.2)  # it dies away, and is far from nothing
+    assert late["alive"] == 1.0
+    assert 0.0 < late["A"] < 1e-3
+    assert set(kept(2.0).values()) == {0.0}
+
+
 def test_to_paid_a_hand_is_where_it_holds() -> None:
     """On a chain, too: hands hold its ends."""
     body: dict[str, Any] = {"kind": "chain", "nodes": 5, "mass": 0.2, "stiffness": 400.0, "damping": 1.0}
@@ -372,6 +435,15 @@ def test_paid_relays_in_trees_only() -> None:
         False,
     ]
     assert not relays("complete", 2)
+
+
+@pytest.mark.parametrize(("delay", "told"), [(0.05, 2.0), (0.4, 1.5)])
+def test_paid_tells_less_of_other_hands_the_older_they_are(delay: float, told: float) -> None:
+    whole = Study.make(laws=["paid"], networks=[{"name": "there", "delay": delay}], graph="path")
+    ends = run_batch(prepare(whole.scenario(whole.laws[0], whole.networks[0], 3, [], duration=2.0))).ends
+    assert ends is not None
+    hands = ends.mail_scalars[..., PAID.sends_scalars.index("hands")]
+    assert hands.max() == pytest.approx(told, abs=0.01)  # of the one in the middle; others know of none but theirs
 
 
 def test_the_wave_line_of_paid_is_the_same_at_both_ends_of_a_star() -> None:

@@ -32,6 +32,7 @@ from cotouch.laws._paid_fields import (
     BACK,
     BETA,
     BRAKE,
+    CALM,
     CREDITED,
     DEGREE,
     E_IN,
@@ -42,6 +43,7 @@ from cotouch.laws._paid_fields import (
     GD,
     GIVEN,
     GK,
+    GRASPED_AT,
     HELD,
     HORIZON,
     KEPT,
@@ -74,6 +76,7 @@ from cotouch.laws._paid_fields import (
     STAMP,
     STRETCH,
     TIME,
+    UNHEARD,
     WAVE_IN,
     WAVE_OUT,
     WISH,
@@ -92,6 +95,9 @@ _SMOOTH = 0.03
 # Share of the brake that a soft body keeps while its own user does not hold it: no hand fills the account there, and
 # what another's hand moves at one node, while all are braked, is stretched by what was to move it.
 _FREE = 0.1
+# What one grasps others cannot know of at once. A copy that is faster than this meanwhile is braked [m/s]; that pays
+# for what others' hands turn out to do. Before anybody is heard, an age is taken to be so long; none is longer [s].
+_FAST, _UNHEARD = 0.5, 0.6
 
 
 def _before(end: End) -> None:
@@ -107,7 +113,7 @@ def _before(end: End) -> None:
         if p[RELAY] > 0.0:
             for i in range(size):
                 own[ALL_W, i] = own[ALL_P, i] = own[ALL_Q, i] = 0.0
-        numbers[LEVEL] = 0.0
+        numbers[LEVEL] = numbers[UNHEARD] = 0.0
         numbers[ALL_GRASPED] = numbers[LONGEST] = numbers[BACK] = numbers[DEGREE] = 0.0
         for name in range(ALL_K, ALL_HANDS + 1):
             numbers[name] = 0.0
@@ -200,6 +206,8 @@ def _before(end: End) -> None:
             kept[PART_K], kept[PART_B], kept[PART_HANDS] = told[M_K], told[M_B], told[M_HANDS]
             kept[PART_EPOCH] = told[M_EPOCH] + 1.0
             bring(end)
+    else:
+        numbers[UNHEARD] = _UNHEARD
     if end.last:
         _settle(end)
 
@@ -258,6 +266,9 @@ def _settle(end: End) -> None:
     free = numbers[HELD] == 0.0 and end.position.shape[0] > end.width
     beta = _FREE * p[BETA] if free else p[BETA]
     b += beta * max(1.0 - H / floor, 0.0) if floor > 0.0 else beta
+    if numbers[TIME] - numbers[GRASPED_AT] < min(max(numbers[LONGEST], numbers[UNHEARD]), _UNHEARD):
+        rows = end.position.shape[0] // end.width
+        b += p[CALM] / end.copies * max(sqrt(speed / rows) - _FAST, 0.0)
     numbers[BRAKE] = b
     end.gains[1] += b
 
@@ -284,6 +295,10 @@ def _mass(facts: Facts) -> float:
     return facts.mass / (facts.degree + 1) / sqrt(facts.rows)
 
 
+def _calm(facts: Facts) -> float:
+    return 80.0 * facts.mass
+
+
 def _relays(facts: Facts) -> float:
     return float(facts.tree and facts.rows == 1)  # of a soft body, the sum of springs says not where they hold
 
@@ -307,6 +322,9 @@ PAID = register(
             Parameter(name="line", meaning="impedance of the wave line beside it [Ns/m]", default=_line),
             Parameter(name="mass", meaning="that copies are drawn together with [kg]", default=_mass),
             Parameter(name="ahead", meaning="share of a hand's change of force that is expected to go on", default=0.5),
+            Parameter(
+                name="calm", meaning="damper on what is fast and not heard of yet, for each m/s [Ns²/m²]", default=_calm
+            ),
             Parameter(name=FORCE, meaning="most that a neighbour may push with [N]", default=inf),
             Parameter(
                 name="relay",
@@ -351,6 +369,8 @@ PAID = register(
                 "back",
                 "degree",
                 "newest",
+                "grasped at",
+                "unheard",
             ),
             *(f"t{k}" for k in range(KEPT)),
         ),

@@ -7,8 +7,8 @@ PAST, KEPT, EVERY = 18, 128, 0.004
 ACCOUNT, TIME, K, LEVEL, EPOCH, XX, XV, VV, XF, VF = range(10)
 HELD, COUNT, BRAKE, OWN_B, NEW_K, NEW_B, STEADY = range(10, 17)
 ALL_K, ALL_B, ALL_EPOCH, ALL_HANDS = range(17, 21)  # of the hands that all links bring
-AS_ONE, GRASPED, ALL_GRASPED, LONGEST, BACK, DEGREE, NEWEST = range(21, 28)
-TIMES = 28
+AS_ONE, GRASPED, ALL_GRASPED, LONGEST, BACK, DEGREE, NEWEST, GRASPED_AT, UNHEARD = range(21, 30)
+TIMES = 30
 
 # Of an end. What is alive is where the neighbour's hand acts or acted; elsewhere all that is kept of it is 0.
 WAVE_IN, WAVE_OUT, WAVE, A, A2, WISHED, W_LAST, SLOPE, PART_W, STRETCH, SUM, SUM2, HAND, DONE = range(14)
@@ -30,6 +30,6 @@ M_WAVE, M_P, M_Q, M_W, M_V, M_WAY = range(6)
 M_E, M_K, M_B, M_EPOCH, M_GIVEN, M_T, M_HANDS, M_AS_ONE, M_SINCE, M_AGE = range(10)
 
 # Parameters.
-SEED, FLOOR, BETA, GK, GD, LINE, MASS, AHEAD, FORCE_LIMIT, RELAY = range(10)
+SEED, FLOOR, BETA, GK, GD, LINE, MASS, AHEAD, CALM, FORCE_LIMIT, RELAY = range(11)
 # What a hand may be [N/m, Ns/m].
 STIFFEST, DAMPEST = 5000.0, 100.0

@@ -16,6 +16,7 @@ from cotouch.laws._paid_fields import (
     F_RATE,
     FELT,
     GRASPED,
+    GRASPED_AT,
     HELD,
     KEPT,
     LONGEST,
@@ -166,6 +167,9 @@ def book_copy(end: End) -> None:
         held = min(held, 1.0)
     changed = held != numbers[HELD] or kind != numbers[AS_ONE]
     if changed:
+        # What one lets go of, or only touches, is as before.
+        if held > 0.0 and not as_one:
+            numbers[GRASPED_AT] = now
         for name in range(XX, VF + 1):
             numbers[name] = 0.0
         numbers[NEW_K] = numbers[NEW_B] = 0.0

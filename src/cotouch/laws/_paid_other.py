@@ -1,5 +1,7 @@
 """What an end of `paid` knows of the neighbour's hand and of this copy's past, and what it tells the neighbour."""
 
+from math import sqrt
+
 from cotouch.arrays import Float
 from cotouch.laws._end import End
 from cotouch.laws._helper import helper
@@ -32,6 +34,7 @@ from cotouch.laws._paid_fields import (
     KEPT,
     LOG,
     LOGGED,
+    LONGEST,
     M_AS_ONE,
     M_B,
     M_EPOCH,
@@ -79,6 +82,8 @@ from cotouch.mechanics import FOUR, load, size, splat, store, total, upper
 _MOST = 1e5
 # Of ∫w; beyond, a new epoch begins, or small errors of an age would count for much [Ns].
 _MOST_P = 100.0
+# What is older than this is told on in part, by the root: where all move together, guesses of guesses go wrong [s].
+_SOON = 0.1
 
 
 @helper
@@ -252,10 +257,13 @@ def _note_done(end: End, log: int, first: int, last: int, lanes: tuple[int, ...]
 @helper
 def tell(end: End) -> None:
     """Writes of the own hand what the neighbour is told and, in a tree, of those that the other links bring."""
-    T, numbers, kept, relay = end.T, end.shared_scalars, end.scalars, end.parameters[RELAY]
+    T, numbers, kept = end.T, end.shared_scalars, end.scalars
     n = end.mean.shape[0]
     # In a tree, what the other links bring comes to the neighbour by this one only.
-    share, mine = relay, 1.0 if kept[PART_HANDS] > 0.0 else 0.0
+    share = end.parameters[RELAY]
+    if share > 0.0 and numbers[LONGEST] > _SOON:
+        share *= sqrt(_SOON / numbers[LONGEST])
+    mine = 1.0 if kept[PART_HANDS] > 0.0 else 0.0
     epoch = numbers[EPOCH] + numbers[ALL_EPOCH] - mine * kept[PART_EPOCH]
     renewed = epoch != kept[TOLD_EPOCH]
     kept[TOLD_EPOCH] = epoch
