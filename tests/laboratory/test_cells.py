@@ -1,13 +1,16 @@
 """The engine of the laboratory: order, resuming, a cluster, and what interrupts it."""
 
+from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
+from cotouch import stamps
 from cotouch.laboratory import _cells
-from cotouch.laboratory._cells import Store, cells, many
+from cotouch.laboratory._cells import Store, cells, many, source_of
+from cotouch.laws import law_named
 
 
 def double(cell: dict[str, Any]) -> dict[str, Any]:
@@ -64,6 +67,40 @@ def test_another_version_or_cell_or_a_spoilt_file_is_computed(tmp_path: Path) ->
     file.write_text("{half", encoding="utf-8")
     assert cells("double", double, CELLS[:1], store=store) == [{"twice": 0}]
     assert store.find(file.name) == {"twice": 0}
+
+
+def test_a_law_is_another_when_a_file_that_it_imports_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """`paid` is made of several files; one that is typed in has none."""
+    before = law_named("paid").before
+    first = source_of(before)
+    assert source_of(before) == first
+    assert source_of(law_named("spring").before) != first
+    asked: list[str] = []
+
+    def another(path: Path) -> tuple[str, int]:
+        asked.append(path.name)
+        return ("another", 1)
+
+    monkeypatch.setattr(_cells, "stamp_of", another)
+    assert source_of(before) != first
+    assert asked == ["_paid.py"]
+    monkeypatch.undo()
+    assert "_paid_hand.py" in {path.name for path in stamps._sources(Path(before.__code__.co_filename))}
+
+    typed: list[Any] = []
+    for number in (1, 2, 1):
+        names: dict[str, Any] = {}
+        exec(f"def before(end):\n    return {number}", names)
+        typed.append(source_of(names["before"]))
+    assert typed[0] == typed[2] != typed[1]
+
+    file = tmp_path / "law.py"
+    for text in ("def before(end):\n    return 1\n", "def before(end):\n    return 3\n"):
+        file.write_text(text)
+        names = {}
+        exec(compile(text, file, "exec"), names)
+        typed.append(source_of(partial(names["before"], 1)))
+    assert len(set(typed)) == 4
 
 
 def test_a_cluster_gets_cells_in_portions_and_what_it_brings_is_kept(

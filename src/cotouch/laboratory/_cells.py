@@ -2,7 +2,9 @@
 
 import hashlib
 import json
+import marshal
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any, TypeAlias, TypeVar, final
 
@@ -10,6 +12,7 @@ from cotouch.errors import OutputError
 from cotouch.files import folder, read_text, table_of, write
 from cotouch.interrupt import check, flag, heeding
 from cotouch.planning import workers
+from cotouch.stamps import stamp_of
 
 A = TypeVar("A")
 R = TypeVar("R")
@@ -72,15 +75,22 @@ class Store:
 
 
 def source_of(made: Any) -> str:
-    """Of a function's file, so that with another version of it cells are computed anew; nothing without a file.
+    """Of all that a function is made of, so that with another version of it cells are computed anew.
+
+    That is its file and what this package's files that it imports are made of; of one without a file, such as one that
+    was typed in, what Python has made of it. Modules of somebody else's that it imports do not count.
 
     Args:
-        made: the function, compiled or not.
+        made: the function, compiled or not, or a part of one.
     """
+    plain = made.func if isinstance(made, partial) else made
+    code = getattr(plain, "py_func", plain).__code__
+    path = Path(code.co_filename)
     try:
-        text = Path(getattr(made, "py_func", made).__code__.co_filename).read_bytes()
-    except (OSError, AttributeError):
-        text = b""
+        # The file as it is now: what it imports was read when it was first asked.
+        text = path.read_bytes() + stamp_of(path)[0].encode()
+    except OSError:
+        text = marshal.dumps(code)
     return hashlib.sha256(text).hexdigest()[:16]
 
 

@@ -61,7 +61,7 @@ def compare(
     """
     from cotouch import __version__
 
-    kept = None if store is None else Store(store, __version__)
+    kept = None if store is None else Store(store, source_of(score))
     named: dict[str, Any] = {"jobs": jobs, "dask": dask, "store": kept, "progress": progress}
     tunings = study.settings
     count = len(study.laws) * len(study.networks) * len(study.users) * len(tunings)

@@ -136,8 +136,6 @@ def sweep(
     """
     import xarray as xr
 
-    from cotouch import __version__
-
     count = int(np.prod([len(values) for values in vary.values()], dtype=float)) if vary else 0
     if not 1 <= count <= _MOST_RUNS:
         raise ScenarioError(f"there are {count} combinations to run; there must be 1 to {_MOST_RUNS}")
@@ -146,7 +144,7 @@ def sweep(
     whole = {"scenario": scenario.as_json(), "body": digest(scenario.build_body())}
     combinations = [dict(zip(vary, values, strict=True)) for values in product(*vary.values())]
     items = [{**whole, "options": each, "code": _code(scenario, each)} for each in combinations]
-    kept = None if store is None else Store(store, __version__)
+    kept = None if store is None else Store(store, source_of(_run))
     done = cells("run", partial(_run, scenario), items, jobs=jobs, dask=dask, store=kept, progress=progress)
     results = [(found["figures"], found["problem"]) for found in done]
     if all(problem for _, problem in results):
