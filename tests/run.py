@@ -119,12 +119,21 @@ def main(options: Sequence[str]) -> int:
         [*pytest, *(f"tests/{name}" for name in PATIENT if name.startswith(PLAIN) == early)] for early in (True, False)
     )
     workers = max(2, len(os.sched_getaffinity(0)))
+    # What pytest makes of each file is kept then: nine processes would make it anew, for eight seconds each.
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     with none_left():
+        collect = subprocess.Popen(
+            [*pytest, "--collect-only", "--warm"],
+            cwd=ROOT,
+            stdout=subprocess.DEVNULL,
+            preexec_fn=give_way,  # noqa: PLW1509
+        )
         warm = subprocess.Popen([sys.executable, "tests/warm_up.py"], cwd=ROOT, preexec_fn=give_way)  # noqa: PLW1509
         check: Command = ["make", "--no-print-directory", "check"]
         (checked,), (first,) = both([early], [(check, give_way)])
         if checked:
             return checked
+        collect.wait()
         computing = [f"tests/{name}" for name in numerical(ROOT / "tests")]
         shared = ["--dist", "loadfile", "--no-loadscope-reorder", "-m", "not timed", "--warm"]
         exact = [*pytest, *(f"tests/{name}" for name in ALONE)]
