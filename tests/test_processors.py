@@ -30,6 +30,7 @@ FEW = (
     "network/test_consensus.py::test_agrees_with_dense_eigenvalues",
     "network/test_passivity.py::test_minimax_is_the_perron_eigenvalue_and_no_weights_do_better",
     "study/test_confirm.py::test_the_slowest_of_several_exponentials",
+    "simulation/test_codec.py::test_the_record_is_that_of_the_batch_engine",
     "study/test_confirm.py::test_powers_that_leave_the_range_of_floating_point",
 )
 FEW_KERNELS = (

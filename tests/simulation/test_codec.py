@@ -60,8 +60,9 @@ def test_the_record_is_that_of_the_batch_engine() -> None:
     for i, n in enumerate(batch.taken):
         last = n // 2 + 1
         for name in ("position", "velocity"):
+            # A modal body's nodes are sums over its modes: BLAS rounds those of one engine, a kernel the other's.
             found, wanted = (getattr(outcome.record, name)[i, :last] for outcome in (single, batch))
-            assert np.array_equal(found, wanted)
+            assert found == pytest.approx(wanted, rel=0.0, abs=1e-15)
         for name in ("users", "slots"):
             owners = [i] if name == "users" else np.flatnonzero(prepared.schedule.slots.receiver == i)
             found, wanted = (getattr(outcome.record, name)[:, owners, :last] for outcome in (single, batch))
