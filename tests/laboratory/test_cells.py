@@ -102,6 +102,13 @@ def test_a_law_is_another_when_a_file_that_it_imports_is(tmp_path: Path, monkeyp
         typed.append(source_of(partial(names["before"], 1)))
     assert len(set(typed)) == 4
 
+    class Called:
+        def __call__(self) -> int:
+            return 1
+
+    assert source_of(Called()) == source_of(Called.__call__) != ""
+    assert source_of(len) == ""
+
 
 def test_a_cluster_gets_cells_in_portions_and_what_it_brings_is_kept(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch

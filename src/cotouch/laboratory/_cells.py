@@ -78,19 +78,24 @@ def source_of(made: Any) -> str:
     """Of all that a function is made of, so that with another version of it cells are computed anew.
 
     That is its file and what this package's files that it imports are made of; of one without a file, such as one that
-    was typed in, what Python has made of it. Modules of somebody else's that it imports do not count.
+    was typed in, what Python has made of it; nothing of one that is not written in Python. Modules of somebody else's
+    that it imports do not count.
 
     Args:
         made: the function, compiled or not, or a part of one.
     """
     plain = made.func if isinstance(made, partial) else made
-    code = getattr(plain, "py_func", plain).__code__
+    plain = getattr(plain, "py_func", plain)
+    code = getattr(plain, "__code__", None) or getattr(type(plain).__call__, "__code__", None)
+    if code is None:  # not written in Python
+        return ""
     path = Path(code.co_filename)
     try:
         # The file as it is now: what it imports was read when it was first asked.
         text = path.read_bytes() + stamp_of(path)[0].encode()
     except OSError:
-        text = marshal.dumps(code)
+        # The second format does not depend on who else holds the code's parts.
+        text = marshal.dumps(code.replace(co_filename=""), 2)
     return hashlib.sha256(text).hexdigest()[:16]
 
 
