@@ -1,9 +1,11 @@
 import time
 from collections.abc import Callable
+from typing import Any
 
 import pytest
 
 from cotouch.members import SessionFile
+from cotouch.planning import Plan, plan, worked
 from cotouch.session import LinkPlanner, demo_session
 from cotouch.session._planner import notable_links
 
@@ -56,6 +58,20 @@ def test_the_one_at_the_end_of_a_slow_line_is_joined_where_it_is_nearest(objecti
 def test_only_those_who_are_there_are_linked() -> None:
     links = planned('[session]\nusers = 4\nlinks = "plan"\nobjective = "damping"\n', [1, 3], SLOW)
     assert links == [(1, 3)]
+
+
+@pytest.mark.usefixtures("here")
+def test_its_budget_counts_what_it_has_worked_and_hardly_what_it_has_waited(monkeypatch: pytest.MonkeyPatch) -> None:
+    clocks: list[object] = []
+
+    def noted(*args: Any, **options: Any) -> Plan:
+        clocks.append(options.get("clock"))
+        return plan(*args, **options)
+
+    monkeypatch.setattr("cotouch.session._planner.plan", noted)
+    monkeypatch.setattr("cotouch.session._planner.compiles", lambda: False)
+    planned('[session]\nusers = 4\nlinks = "plan"\nobjective = "damping"\n', [0, 1, 2, 3], SLOW)
+    assert clocks == [worked]
 
 
 @pytest.mark.usefixtures("here")
