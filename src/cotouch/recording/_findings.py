@@ -80,9 +80,11 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
         )
 
     for name, difference in motion.difference.items():
+        if name == "stored":  # which is a level, not a flow: an error that stays must not count in every step anew
+            difference = np.diff(difference, prepend=0.0)
         if not _counts(difference, tolerance):
             continue
-        total = float(difference.sum())
+        total = _most(difference)
         if name.startswith("link "):
             other = int(name.split()[1])
             words = (
