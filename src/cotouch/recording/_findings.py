@@ -79,9 +79,9 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
             )
         )
 
-    for name, difference in motion.difference.items():
-        if name == "stored":  # which is a level, not a flow: an error that stays must not count in every step anew
-            difference = np.diff(difference, prepend=0.0)
+    # What is stored is a level, not a flow: an error that stays must not count in every step anew.
+    flows = {**motion.difference, "stored": np.diff(motion.difference["stored"], prepend=0.0)}
+    for name, difference in flows.items():
         if not _counts(difference, tolerance):
             continue
         total = _most(difference)
