@@ -224,6 +224,19 @@ def test_what_is_kept_less_often_is_taken_as_booked(tmp_path: Path) -> None:
     assert not result.links[0].strict
 
 
+@pytest.mark.parametrize("every", [1, 8])
+def test_a_body_that_turns_far_within_long_steps_holds(tmp_path: Path, every: int) -> None:
+    """What its cells hold follows from where their corners are, so an audit need not have seen them turn."""
+    body = lattice((4, 3, 3), model="cells", mass=0.05, stiffness=4.0, spacing=0.02, damping=0.001)
+    hard = {0: pulled(amplitude=0.4, stiffness=30.0)}
+    driven = Driven(
+        tmp_path, body=body, periods=(0.03, 0.03), spring=0.2, seconds=3.0, hands=hard, options={"every": every}
+    )
+    result = audited(driven)
+    assert max(report.closure_factor for report in driven.reports[0]) > 0.05
+    assert result.holds, result.verdict
+
+
 def test_a_kick_is_found_between_kept_states(tmp_path: Path) -> None:
     def kick(peer: Peer, now: float) -> None:
         if peer.index == 0 and peer.steps == 103:
