@@ -53,7 +53,7 @@ _UNITS = {
     "closure_alarms": ("1", "steps so far with a change above 0.01, or that had to be shortened"),
     "world_loss": ("J", "of body_loss: lost so far in friction and damping at planes and boxes"),
     "world_stored": ("J", "of elastic: held by planes and boxes"),
-    "world_force": ("N", "mean force of planes and boxes on the copy over the step"),
+    "world_force": ("N", "mean force of planes, boxes, plates and meshes on the copy over the step"),
     "cut": ("J", "lost so far with the elements that were cut: what they held"),
     "cut_elements": ("1", "elements of the copy that were cut so far"),
     "cut_time": ("s", "when the copy lost the element; NaN: it is whole"),
