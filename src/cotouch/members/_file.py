@@ -61,9 +61,11 @@ class SessionTable(Table):
             about what 20 N do over 0.1 m [J].
         age_limit: that the age budgets of both ends of a link may come to; samples that are older are guarded, and no
             neighbour can ask for more damping than half the spring times this [s].
-        wait_for_peers: hands of the file wait until all users are there and their own copy is coupled, at most so long [s].
+        wait_for_peers: hands of the file wait until all users are there and their own copy is coupled, at most so long
+            [s].
         encoding: of a number on the wire; what the rounding of others than "float64" can cost is paid for.
-        max_displacement: greatest displacement of any node along an axis; what is farther is not sent, and not taken [m].
+        max_displacement: greatest displacement of any node along an axis; what is farther is neither sent nor taken
+            [m].
         send_rate: highest rate of samples on each link [1/s]; by default the sender's own.
         emulate: apply the delays of `[network]` and the impairments of `[channel]` to every path, to try them on one
             machine.
