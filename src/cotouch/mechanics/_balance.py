@@ -32,8 +32,8 @@ ENERGY, MOTION, LEFT, AT_WORLD = 0, 1, 2, 3
 TARGET, HAVE, ABOUT, NOISE, LAW, ROUGH, OUTSIDE, PASSED, GRAIN = range(9)
 # β² outside of this asks for another direction, then for a shorter step.
 LEAST, MOST = 0.8, 1.25
-# The first attempt after a step is told apart by its direction, the others by halves of its length; this is the last.
-LAST_ATTEMPT = 14
+# The first attempts at a step are told apart by their direction, the others by their length; this is the last.
+LAST_ATTEMPT = 20
 # A difference below this share of the energies that made it is their rounding.
 _ROUNDING = 4e-15
 # Below this share of the kinetic energy, motion about the centre of mass is too little to balance anything with.

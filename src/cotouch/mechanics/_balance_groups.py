@@ -40,6 +40,8 @@ LENGTH, TOO_LITTLE, TOO_MUCH = 14, 15, 16
 _HARDLY, _MUCH = 1e-4, 1e-3
 # An attempt that is the last in any case: who passed another has done so.
 LAST_OF_ALL = LAST_ATTEMPT + 1
+# Where a group stays at last, those beside it may need as many attempts to go on without it.
+OTHERS = 6
 
 
 def closing_of(parts: Parts) -> Float:

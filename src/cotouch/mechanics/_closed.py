@@ -27,7 +27,7 @@ from cotouch.mechanics._balance import (
     square_of,
     weigh,
 )
-from cotouch.mechanics._balance_groups import LAST_OF_ALL, start_attempts
+from cotouch.mechanics._balance_groups import OTHERS, start_attempts
 from cotouch.mechanics._balance_parts import close_all, free_parts, keep_parts, set_length, shortest
 from cotouch.mechanics._direction import direct, level, predict
 from cotouch.mechanics._force import BodyForce, evaluate
@@ -189,13 +189,13 @@ def closed_step(
             start_attempts(force.parts)
         else:
             # What cannot be closed, or would still pass an obstacle, stays where it is at last.
-            stays, goes = still or attempt >= LAST_ATTEMPT - 1, 1.0
+            stays, goes = still or attempt >= LAST_ATTEMPT - (1 if alone else OTHERS), 1.0
             refused = refused or (stays and not still)
             if alone and not stays:
                 least, greatest = (least, length) if passed or not square > MOST else (length, greatest)
                 goes = next_length(length, least, greatest) / length
             length = 0.0 if stays else goes * length
-            if not set_length(force.parts, work.mean, 0.0 if stays else goes, attempt >= LAST_OF_ALL - 1, lanes):
+            if not set_length(force.parts, work.mean, 0.0 if stays else goes, attempt >= LAST_ATTEMPT - 1, lanes):
                 # Nothing that goes less far would be any different.
                 length, refused, attempt = 0.0, refused or not still, max(attempt, LAST_ATTEMPT - 1)
         attempt += 1

@@ -19,7 +19,7 @@ from cotouch.mechanics._balance import (
     resting,
     weigh,
 )
-from cotouch.mechanics._balance_groups import LAST_OF_ALL, start_attempts
+from cotouch.mechanics._balance_groups import LAST_OF_ALL, OTHERS, start_attempts
 from cotouch.mechanics._balance_parts import close_all, judge, set_length, shortest, stretch
 from cotouch.mechanics._contact_press import press_tool, rub
 from cotouch.mechanics._contact_snap import draw_tool
@@ -169,7 +169,7 @@ def balanced(
             seeks = seeks and not passed
             if others:  # bodies that no tool touches
                 go_back(force, state, work, lanes)
-                set_length(force.parts, work.mean, 1.0 if shorter < LAST_ATTEMPT - 2 else 0.0, False, lanes)
+                set_length(force.parts, work.mean, 1.0 if shorter < LAST_ATTEMPT - OTHERS else 0.0, False, lanes)
                 shorter += 1
                 continue
             if not (fine or passed or touches or still) and resting(weighed):  # the body stays, and its tools go on

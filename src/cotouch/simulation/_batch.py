@@ -151,7 +151,7 @@ def run_batch(prepared: Prepared) -> Outcome:
         links=np.zeros((records, len(prepared.scenario.network.links))),
         ticks=np.empty((len(TICK_LEDGER), records)),
         running=np.zeros((users, 6 + more)),
-        lowest=np.zeros(1),
+        lowest=np.zeros(1 + users),
         refused=np.zeros(1, dtype=np.int32),
         made=np.zeros(2),
     )

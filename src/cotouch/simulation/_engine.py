@@ -134,6 +134,7 @@ def run(
             closed_settle(op, force, state, scratch.work, scratch.ledger, lanes)
         record.running[i, 4] = scratch.ledger[KINETIC]
         record.running[i, 5] = scratch.ledger[ELASTIC]
+        put(record.lowest, 1 + i, min(0.0, scratch.ledger[ELASTIC]))
         initial += scratch.ledger[KINETIC] + scratch.ledger[ELASTIC]
         if touching is not None:
             moving = proxy_energy(touching, i)
@@ -298,6 +299,7 @@ def run(
         made -= ledger[LOCAL_LOSS]
         most_made = max(most_made, made)
         lowest = min(lowest, supplied)
+        put(record.lowest, 1 + i, min(at(record.lowest, 1 + i), ledger[ELASTIC]))
         record.made[0] = most_made
         record.made[1] = made
         if not ledger[KINETIC] + ledger[ELASTIC] < 1e200:

@@ -48,7 +48,7 @@ def _recorded(prepared: Prepared, run: PeerRun) -> Outcome:
         links=np.zeros((records, len(prepared.scenario.network.links))),
         ticks=np.zeros((len(TICK_LEDGER), records)),
         running=np.zeros((users, 6)),
-        lowest=np.zeros(1),
+        lowest=np.zeros(1 + users),
         refused=np.zeros(1, dtype=np.int32),
         made=np.zeros(2),
     )
@@ -60,6 +60,7 @@ def _recorded(prepared: Prepared, run: PeerRun) -> Outcome:
         ledger = np.array([_row(report) for report in reports]).reshape(-1, len(USER_LEDGER))
         ledger[:, :4] = np.cumsum(ledger[:, :4], axis=0)
         record.users[4:6, i, 0] = start[i]
+        record.lowest[1 + i] = min(0.0, start[i, 1], *(report.elastic for report in reports))
         record.users[:, i, 1:last] = ledger[every - 1 :: every].T
         own = slice(slots.first[i], slots.first[i + 1])
         work = np.cumsum([report.link_work for report in reports], axis=0).reshape(len(reports), -1)

@@ -276,9 +276,9 @@ def _attributes(prepared: Prepared, outcome: Outcome, ticks: int) -> dict[str, A
         "energy_in_play": in_play,
         "energy_residual": residual / max(in_play, LEAST_ENERGY),
         # What a law's ends may make is there from the start, as what springs hold is.
-        "passivity_margin": float(outcome.record.lowest[0] + _had(ledger))
+        "passivity_margin": float(outcome.record.lowest[0] + _had(outcome.record))
         + (0.0 if prepared.law is None else prepared.law.seed),
-        **_judged(prepared, outcome, ledger),
+        **_judged(prepared, outcome),
         **_paces(timing),
         "underruns": int(timing.underruns.sum()),
         "messages": sum(draws.first.size for draws in timing.draws),
@@ -298,12 +298,12 @@ def _traffic(outcome: Outcome) -> dict[str, int]:
     }
 
 
-def _had(ledger: Float) -> float:
-    """Energy that was there to be taken out: that of the start, above the least, as a heavy body falls below it [J]."""
-    return float(ledger[0, 0] + max(0.0, -ledger[0].min()))
+def _had(record: Record) -> float:
+    """Energy that was there to be taken out: that of the start, and what weight gave copies that fell below it [J]."""
+    return float(record.ticks[0, 0] - record.lowest[1:].sum())
 
 
-def _judged(prepared: Prepared, outcome: Outcome, ledger: Float) -> dict[str, Any]:
+def _judged(prepared: Prepared, outcome: Outcome) -> dict[str, Any]:
     """What the links made of their own, beside what their law promises; all worked out by the kernels [J].
 
     `made` is the most that links less the damping B_i had put into the copies, `extracted` the most that hands and
@@ -322,7 +322,7 @@ def _judged(prepared: Prepared, outcome: Outcome, ledger: Float) -> dict[str, An
         "law_seed": seed,
         "made": float(record.made[0]),
         "made_at_end": float(record.made[1]),
-        "extracted": max(-float(record.lowest[0] + _had(ledger)), 0.0),
+        "extracted": max(-float(record.lowest[0] + _had(record)), 0.0),
     }
 
 
@@ -339,8 +339,7 @@ def _in_play(record: Record, ledger: Float) -> float:
 
     A falling body gains as much kinetic energy as its weight loses: the sum says nothing of what is at stake.
     """
-    elastic = record.users[USER_LEDGER.index("elastic")]
-    return max(_largest(ledger[:4]), -float(np.fmin(elastic, 0.0).min(axis=1).sum()))
+    return max(_largest(ledger[:4]), -float(record.lowest[1:].sum()))
 
 
 def _largest(values: Float) -> float:
