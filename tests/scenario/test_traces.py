@@ -56,6 +56,21 @@ def test_a_trace_begins_anew_and_each_direction_at_a_place_of_its_own(tmp_path: 
     assert a.max() <= 0.01 + 0.04 + 1e-12
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "\ufeff" + ROWS.replace("\n", "\r\n"),
+        ROWS.replace(",", ", "),
+        ROWS.replace("send_s,rtt_ms", '"send_s", "rtt_ms"'),
+    ],
+)
+def test_what_spreadsheets_write_is_read(text: str, tmp_path: Path) -> None:
+    found = scenario(written(tmp_path, text)).trace()
+    assert found is not None
+    assert found.latency.tolist() == pytest.approx([0.02, 0.02, 0.04, 0.02])
+    assert found.time is not None
+
+
 @pytest.mark.parametrize("mode", ["constant", "self-paced", "freshest"])
 def test_the_ledger_is_exact_and_the_rule_covers_the_ages(mode: str, tmp_path: Path) -> None:
     run = simulate(scenario(written(tmp_path), mode=mode, loss=0.1))
@@ -95,6 +110,7 @@ def test_a_file_is_found_beside_the_scenario(tmp_path: Path) -> None:
     [
         ("send_s,rtt_ms\n", {}, "has no rows; a trace needs names in its first row"),
         ("", {}, "has no rows"),
+        (ROWS.replace("send_s", "rtt_ms"), {"time": None}, 'has 2 columns "rtt_ms"; give each a name of its own'),
         (ROWS, {"column": "owd_ms"}, 'has no column "owd_ms"; its first row names send_s, rtt_ms'),
         (ROWS.replace("80", "-80"), {}, 'rtt_ms in line 4 is "-80"; it must be a finite number, at least 0'),
         (ROWS.replace("80", "nan"), {}, 'rtt_ms in line 4 is "nan"; it must be a finite number'),

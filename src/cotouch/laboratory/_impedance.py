@@ -4,7 +4,7 @@ Predicted for laws that are linear, from the bodies' matrices and the mean ages 
 pushing with one tone after the other. Both are `Z = f/v` at the node that the hand holds.
 """
 
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -58,7 +58,7 @@ def impedance(
         the lowest tone [Ns/m]; `mass` [kg] and `stiffness` [N/m] of the `m s + k/s` that comes nearest up to 2 Hz.
 
     Raises:
-        ScenarioError: there is no such user, node or axis; or no frequency is above 0.
+        ScenarioError: there is no such user, node, axis or others; or no frequency is above 0.
         UnsupportedError: links have weights, which cannot be predicted yet.
     """
     import xarray as xr
@@ -66,6 +66,8 @@ def impedance(
     scenario = scenario.placed()
     tones = np.geomspace(*_BAND, _TONES) if frequencies is None else np.atleast_1d(np.asarray(frequencies, dtype=float))
     body, users = scenario.build_body(), scenario.network.size
+    if others not in get_args(Others):
+        raise ScenarioError(f'others is "{others}"; it must be "free" or "holding"')
     if not 1 <= user <= users:
         raise ScenarioError(f"user is {user}; the network has users 1 to {users}")
     held = [hand.node for hand in scenario.hands if hand.user == user]

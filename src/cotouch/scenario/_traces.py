@@ -107,7 +107,7 @@ class TraceTable(Table):
         """
         path = Path(self.file)
         text = read_text(path, "trace", ScenarioError, _MOST_BYTES)
-        rows = csv.reader(text.splitlines())
+        rows = csv.reader(text.splitlines(), skipinitialspace=True)
         names = [name.strip() for name in next(rows, list[str]())]
         kept = [row for row in rows if row]
         if not kept:
@@ -137,6 +137,8 @@ class TraceTable(Table):
         """A column, each number finite and at least 0."""
         if column not in names:
             raise ScenarioError(f'{path} has no column "{column}"; its first row names {", ".join(names)[:200]}')
+        if names.count(column) > 1:
+            raise ScenarioError(f'{path} has {names.count(column)} columns "{column}"; give each a name of its own')
         at = names.index(column)
         fields = [row[at].strip() if at < len(row) else "" for row in rows]
         values = np.array([_number(field) for field in fields])
