@@ -61,7 +61,8 @@ class Trace:
                 )
             start = 0.0
         if self.time is None:
-            return self.latency[self._row(start, np.arange(sent.size))]
+            rows: Long = self._row(start, np.arange(sent.size))
+            return self.latency[rows]
         if not self.loop:
             return np.interp(sent, self.time, self.latency)
         return self._between(start, sent)
