@@ -2,7 +2,7 @@
 
 import csv
 from pathlib import Path
-from typing import Annotated, Any, Literal, Self, final
+from typing import Annotated, Any, Literal, Self, cast, final
 
 import numpy as np
 from pydantic import ConfigDict, Field, model_validator
@@ -84,8 +84,9 @@ class Trace:
 
     def _between(self, start: float, since: Any) -> Any:
         assert self._round is not None
+        time, latency = self._round
         at = (start * self.span + since) % self.span if self.span else 0.0 * since
-        return np.interp(at, *self._round)
+        return cast("Any", np.interp(at, time, latency))
 
 
 @final
