@@ -285,6 +285,14 @@ def test_too_few_users_in_a_table_are_named() -> None:
         study().joined(network, 4, 1.0)
 
 
+def test_replicas_have_no_codec() -> None:
+    coded = {"name": "coded", "delay": 0.02, "channel": {"codec": {"deadband": 0.1}}}
+    with pytest.raises(
+        ScenarioError, match='owner, coded: network "coded" has a codec, but replica "owner" says all in'
+    ):
+        compare(study(laws=[{"replica": "owner"}], networks=[coded]))
+
+
 def test_settings_and_costs_survive_the_file() -> None:
     """What the report reads back is the study that was run."""
     whole = study()

@@ -238,6 +238,11 @@ class Study(Table):
             ScenarioError: it cannot be.
         """
         factors = dict(setting or {})
+        if law.replica is not None and network.channel.get("codec") is not None:
+            raise ScenarioError(
+                f'network "{network.name}" has a codec, but replica "{law.replica}" says all in full; '
+                "leave one of them out"
+            )
         joined = self.joined(network, users, factors.pop("spring", 1.0))
         given = {**{name: f"{factor!r}x" for name, factor in factors.items()}, **law.given}
         synchronisation: dict[str, Any] = {"mode": network.mode, "law": {"kind": law.kind, **given}}
