@@ -72,7 +72,7 @@ def test_sweep_lists_every_run(scenario: Path, tmp_path: Path) -> None:
                 "--out", out, "--json")  # fmt: skip
     runs = json.loads(done.stdout)["runs"]
     assert len(runs) == 4
-    assert all(run["made"] <= run["seed"] + 1e-12 for run in runs)
+    assert all(run["made"] <= run["law_seed"] + 1e-12 for run in runs)
     cells = {file.name: file.stat().st_mtime_ns for file in (out / "cells").iterdir()}
     assert len(cells) == 4
     again = here("sweep", scenario, "--vary", "link.delay=0.01,0.1", "--vary", "synchronisation.law=spring,wave",
@@ -147,3 +147,18 @@ def test_a_wrong_study_is_one_sentence_and_leaves_nothing(tmp_path: Path, text: 
     assert shown.returncode == 2
     assert message in " ".join(shown.stderr.split())
     assert not (tmp_path / "out").exists()
+
+
+def test_compare_says_why_a_cell_is_empty(tmp_path: Path) -> None:
+    """Of three users where a table has two."""
+    study, out = tmp_path / "study.toml", tmp_path / "out"
+    (tmp_path / "trips.csv").write_text(",a,b\na,0,40\nb,40,0\n", encoding="utf-8")
+    text = STUDY.replace("delay = 0.02}", 'delays = "trips.csv"}').replace(
+        "map =", "users = [2, 3]\nfelt = false\nmap ="
+    )
+    study.write_text(text, encoding="utf-8")
+    shown = here("compare", study, "--out", out)
+    assert shown.returncode == 0, shown.stderr
+    said = 'wave, near: network "near" has 2 users; 3 are asked for'
+    assert said in shown.stdout
+    assert said in json.loads(here("compare", study, "--out", out, "--json").stdout)["problems"]

@@ -168,6 +168,44 @@ def test_a_law_without_any_run_leaves_a_reason() -> None:
         compare(study(networks=[{"name": "homes", "delays": str(Path(__file__).with_name("none.csv"))}]))
 
 
+def test_a_law_that_needs_a_constant_delay_gets_a_buffer() -> None:
+    """Of 99 % of what comes, where the network varies."""
+    register(replace(law_of("wave"), name="strict", constant_delay=True, _parts=[]))
+    loose = {"name": "loose", "delay": 0.02, "channel": {"jitter": {"kind": "exponential", "scale": 0.01}}}
+    whole = study(laws=["strict", "wave"], networks=[{"name": "even", "delay": 0.02}, loose])
+    found = {
+        (law.label, network.name): prepare(whole.scenario(law, network, 2, [])).schedule
+        for law in whole.laws
+        for network in whole.networks
+    }
+    assert {place for place, timing in found.items() if timing.mode == "constant"} == {("strict", "loose")}
+    buffered = found["strict", "loose"]
+    assert 0.0 < buffered.underruns.mean() / buffered.count[0] < 0.011
+    assert np.isfinite(compare(whole)["cost"].isel(hand=0)).all()
+
+
+def test_a_file_that_changed_is_read_anew(tmp_path: Path) -> None:
+    """Of networks and tasks: cells that follow from what a file held are computed again, others are not."""
+    table, trace = tmp_path / "trips.csv", tmp_path / "trace.csv"
+    networks = [
+        {"name": "table", "delays": str(table)},
+        {"name": "trace", "delay": 0.0, "channel": {"trace": {"file": str(trace), "column": "rtt_ms", "as": "rtt"}}},
+    ]
+    tuning = {"search": 1, "local": 0, "draws": 1}
+    whole = study(laws=["spring"], networks=networks, tasks=["carry"], felt=False, tuning=tuning)
+    costs: list[dict[Any, tuple[float, float]]] = []
+    for trip, latency in ((20, 20), (200, 20), (200, 200), (20, 20)):
+        table.write_text(f",a,b\na,0,{trip}\nb,{trip},0\n", encoding="utf-8")
+        trace.write_text(f"rtt_ms\n{latency}\n", encoding="utf-8")
+        costs.append(mean_cost(compare(whole, store=tmp_path / "cells")))
+    first, second, third, last = costs
+    assert second["spring", "table", 2][0] > 1.5 * first["spring", "table", 2][0]
+    assert second["spring", "trace", 2] == first["spring", "trace", 2]
+    assert third["spring", "trace", 2][0] > 1.5 * first["spring", "trace", 2][0]
+    assert last == first
+    assert len(list((tmp_path / "cells").glob("tune-*"))) == 4
+
+
 def test_the_interval_is_students() -> None:
     draws = np.array([1.0, 2.0, 4.0, 3.0])
     mean, half = spread(draws)
@@ -228,6 +266,9 @@ def test_the_study_in_the_documents_can_be_run() -> None:
         ({"users": [1]}, r"users\[1\] is 1"),
         ({"colour": 1}, "colour is not an option"),
         ({"duration": 1.0}, "duration is 1.0"),
+        ({"period": 0.1}, "period is 0.1 s; in a run of 4 s it must be at most 0.04 s"),
+        ({"laws": [{"name": "a"}]}, r"laws\[1\]: an entry of laws needs one of law and replica"),
+        ({"networks": [{"name": "a", "delay": 0.1, "pick": ["b"]}]}, 'network "a" has pick, which takes users of'),
     ],
 )
 def test_what_is_wrong_with_a_study_is_one_sentence(tables: dict[str, Any], message: str) -> None:
@@ -242,6 +283,14 @@ def test_too_few_users_in_a_table_are_named() -> None:
     )
     with pytest.raises(ScenarioError, match='network "homes" has 2 users; 4 are asked for'):
         study().joined(network, 4, 1.0)
+
+
+def test_replicas_have_no_codec() -> None:
+    coded = {"name": "coded", "delay": 0.02, "channel": {"codec": {"deadband": 0.1}}}
+    with pytest.raises(
+        ScenarioError, match='owner, coded: network "coded" has a codec, but replica "owner" says all in'
+    ):
+        compare(study(laws=[{"replica": "owner"}], networks=[coded]))
 
 
 def test_settings_and_costs_survive_the_file() -> None:

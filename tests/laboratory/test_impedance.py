@@ -7,7 +7,7 @@ import pytest
 from tests.laws.scenes import two
 
 from cotouch.body import chain
-from cotouch.errors import ScenarioError
+from cotouch.errors import ScenarioError, UnsupportedError
 from cotouch.laboratory import impedance
 from cotouch.scenario import Scenario
 
@@ -54,6 +54,28 @@ def test_drag_and_mass_are_those_that_are_known() -> None:
     assert wave.attrs["predicted_mass"] == pytest.approx(1.0 + 4.0 * 0.025, rel=0.01)
     pressed = impedance(scenario("spring"), 1, others="holding", measured=False, frequencies=[0.05, 0.1])
     assert pressed.attrs["predicted_stiffness"] == pytest.approx(1.0 / (1.0 / 50 + 1.0 / 300), rel=0.01)
+
+
+def test_what_can_only_be_measured_is_not_asked_for_a_prediction() -> None:
+    with pytest.raises(
+        UnsupportedError, match='law "paid" is not linear, so what hands feel of it can only be measured'
+    ):
+        impedance(scenario("paid"), 1, measured=False)
+    alone = scenario("paid", network={"users": ["a"], "spring": [[0]], "delay": [[0]]}, hands=[])
+    assert impedance(alone, 1, measured=False).attrs["predicted_mass"] == pytest.approx(1.0)
+    with pytest.raises(ScenarioError, match='others is "still"; it must be "free" or "holding"'):
+        impedance(scenario("spring"), 1, others="still", measured=False)  # pyright: ignore[reportArgumentType]
+
+
+@pytest.mark.parametrize("channel", [{}, {"jitter": {"scale": 0.02}, "loss": 0.05}])
+def test_a_wave_line_is_felt_as_predicted_where_samples_come_unevenly(channel: dict[str, Any]) -> None:
+    """Of three users with rates of their own; taken as it came, energy made the drag 26 % larger."""
+    network = {"users": ["a", "b", "c"], "spring": [[0, 30, 80], [30, 0, 0], [80, 0, 0]]}
+    delay = [[0, 0.01, 0.05], [0.03, 0, 0.02], [0.015, 0.06, 0]]
+    table = scenario("wave", network={**network, "delay": delay}, channel=channel, hands=[])
+    uneven = table.replace(synchronisation__mode="freshest", steps={"period": [0.001, 0.002, 0.005]})
+    found = impedance(uneven, 2, frequencies=[0.2, 0.5]).attrs
+    assert found["measured_drag"] == pytest.approx(found["predicted_drag"], rel=0.06)
 
 
 def test_a_law_that_is_not_linear_is_measured_only() -> None:

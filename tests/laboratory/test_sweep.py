@@ -1,5 +1,6 @@
 """One scenario with options varied."""
 
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -73,3 +74,27 @@ def test_ranges_that_are_none_are_refused(text: str) -> None:
 def test_options_that_are_none_are_refused(option: str) -> None:
     with pytest.raises(ScenarioError, match="cannot be varied; it must be seed, link"):
         varied(BASE, option, 1.0)
+
+
+def test_the_seed_can_be_varied() -> None:
+    loose = BASE.replace(channel={"jitter": {"scale": 0.02}})
+    found = sweep(loose, {"seed": [1, 2, 1]})
+    one, two_, again = found["rms"].values.tolist()
+    assert one == again != two_
+    assert float(found["law_seed"][0]) == simulate(loose.replace(seed=1)).attrs["law_seed"]
+
+
+def test_a_file_that_changed_is_read_anew(tmp_path: Path) -> None:
+    trace = tmp_path / "trace.csv"
+    rms: list[float] = []
+    for latency in (20, 200, 20):
+        trace.write_text(f"rtt_ms\n{latency}\n", encoding="utf-8")
+        given = BASE.replace(channel={"trace": {"file": str(trace), "column": "rtt_ms", "as": "rtt"}})
+        rms.append(float(sweep(given, {"link.spring": [50]}, store=tmp_path / "cells")["rms"][0]))
+    assert rms[0] == rms[2] < rms[1]
+    assert len(list((tmp_path / "cells").iterdir())) == 2
+
+
+def test_no_jobs_are_refused() -> None:
+    with pytest.raises(ScenarioError, match="jobs is 0; it must be at least 1, or -1"):
+        sweep(BASE, {"link.spring": [50]}, jobs=0)

@@ -126,6 +126,45 @@ def test_a_filter_makes_a_wave_line_longer_and_the_default_impedance_stiffer() -
     assert (impedance / facts.lag(default), default) == (pytest.approx(SPRING), 0.03)
 
 
+UNEVEN = {"jitter": {"kind": "uniform", "scale": 0.02}, "loss": 0.05}
+
+
+@pytest.mark.parametrize("rate", [200, 1000])
+def test_a_wave_line_has_no_drag_where_samples_come_unevenly(rate: int) -> None:
+    """Energy is taken as evenly as waves are; taken as it came, the drag was 1.3 Ns/m, and copies 118 mm apart."""
+    run = simulate(
+        Scenario.make(
+            network=two(0.015, SPRING),
+            channel=UNEVEN,
+            steps={"rate": rate, "duration": 8.0},
+            seed=1,
+            synchronisation={"law": "wave"},
+            hands=[{"user": 1, "stiffness": 300, "damping": 6.5, "path": [[0.0, 0.0], [8.0, 0.4]]}],
+        )
+    )
+    assert float(run["force"].values[0, 2 * rate :, 0].mean()) / 0.05 == pytest.approx(2 * 0.5, rel=0.03)
+    assert float(abs(run["position"].values[0] - run["position"].values[1]).max()) < 0.01
+    assert run.attrs["made"] == 0.0
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_a_wave_line_held_apart_is_a_spring_where_samples_come_unevenly(seed: int) -> None:
+    """It gave way by up to 20 mm/s for each N."""
+    run = simulate(
+        Scenario.make(
+            network=two(0.015, SPRING),
+            channel=UNEVEN,
+            steps={"rate": 200, "duration": 16.0},
+            seed=seed,
+            synchronisation={"law": "wave"},
+            hands=[{"user": 1, "kind": "force", "path": 5.0}, {"user": 2, "kind": "force", "path": -5.0}],
+        )
+    )
+    apart = run["position"].values[0, :, 0, 0] - run["position"].values[1, :, 0, 0]
+    assert apart[1600:].mean() == pytest.approx(5.0 / SPRING, rel=0.1)
+    assert abs(apart[2400:].mean() - apart[1600:2400].mean()) < 1e-3 * 4.0
+
+
 def test_a_wave_line_at_constant_delay_keeps_energy_exactly() -> None:
     """What left the copies is on the lines: no line makes or loses any."""
     prepared = prepare(

@@ -150,6 +150,24 @@ def test_a_law_for_constant_delays_refuses_a_channel_that_varies() -> None:
     simulate(scenario("strict", steps={"duration": 0.1}))
     with pytest.raises(ScenarioError, match='"strict", which needs a constant delay, but the channel\'s varies'):
         prepare(scenario("strict", channel={"loss": 0.1}))
+    with pytest.raises(ScenarioError, match="with steps of different lengths ages vary; give all the"):
+        prepare(scenario("strict", steps={"duration": 0.1, "random": {"low": 0.001, "high": 0.004}}))
+
+
+def test_a_law_for_constant_delays_has_them_by_an_index() -> None:
+    """As the refusal says. Its promise holds as long as every sample is there in time."""
+    register(replace(WAVE, name="strict", constant_delay=True, _parts=[]))
+    strict, free = (
+        scenario(law, channel={"jitter": {"scale": 0.02}}, steps={"duration": 0.5}).replace(
+            synchronisation__mode="constant"
+        )
+        for law in ("strict", "wave")
+    )
+    promises = [
+        simulate(each).attrs["law_promises"]
+        for each in (strict, strict.replace(synchronisation__quantile=0.9), free.replace(synchronisation__quantile=0.9))
+    ]
+    assert promises == [1, 0, 1]
 
 
 @pytest.mark.parametrize(

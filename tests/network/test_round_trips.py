@@ -12,7 +12,7 @@ TABLE = ",Ann,Ben,Cleo\nAnn,0,100,\nBen,120,0,60\nCleo,,,0\n"
 
 def write(tmp_path, text, name="trips.csv"):
     path = tmp_path / name
-    path.write_text(text)
+    path.write_text(text, encoding="utf-8")
     return path
 
 
@@ -24,6 +24,13 @@ def test_half_of_the_round_trip_is_the_delay(tmp_path):
     network = Network.from_delays(path, spring=30.0)
     np.testing.assert_allclose(network.delay, [[0, 0.06, 0], [0.06, 0, 0.03], [0, 0.03, 0]])
     np.testing.assert_array_equal(network.spring, [[0, 30, 0], [30, 0, 30], [0, 30, 0]])
+
+
+def test_what_spreadsheets_write_is_read(tmp_path):
+    text = "\ufeff" + TABLE.replace(",", ", ").replace("Ann", '"Ann"').replace("\n", "\r\n")
+    path = write(tmp_path, text)
+    assert read_round_trips(path)[0] == ("Ann", "Ben", "Cleo")
+    np.testing.assert_array_equal(read_round_trips(path)[1], read_round_trips(write(tmp_path, TABLE, "plain.csv"))[1])
 
 
 def test_picked_in_the_order_said_and_by_a_quantile(tmp_path):

@@ -76,6 +76,16 @@ def test_worst_path_follows_the_links_one_way():
     assert found.best.worst_path_s == pytest.approx(0.2 + 0.4 + 0.6)  # to the user from its predecessor, all the way
 
 
+def test_the_worst_path_of_no_delays_is_none():
+    spring = 10.0 * (1.0 - np.eye(3))
+    assert (
+        plan(
+            Network(users=list("abc"), spring=spring, delay=np.zeros((3, 3))), links=2, objective="decay"
+        ).best.worst_path_s
+        == 0.0
+    )
+
+
 @pytest.mark.parametrize("seed", range(100))
 def test_three_ways_agree_on_random_networks(seed: int):
     """Enumeration, branch and bound, and local search; damping also against brute force."""

@@ -6,8 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cotouch.errors import ScenarioError
-from cotouch.members import path_laws
+from cotouch.errors import ScenarioError, SessionError
+from cotouch.members import SessionFile, path_laws
+from cotouch.samples import EmulatedPath
 from cotouch.scenario import Scenario
 from cotouch.simulation import prepare, simulate
 
@@ -56,6 +57,21 @@ def test_a_trace_begins_anew_and_each_direction_at_a_place_of_its_own(tmp_path: 
     assert a.max() <= 0.01 + 0.04 + 1e-12
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "\ufeff" + ROWS.replace("\n", "\r\n"),
+        ROWS.replace(",", ", "),
+        ROWS.replace("send_s,rtt_ms", '"send_s", "rtt_ms"'),
+    ],
+)
+def test_what_spreadsheets_write_is_read(text: str, tmp_path: Path) -> None:
+    found = scenario(written(tmp_path, text)).trace()
+    assert found is not None
+    assert found.latency.tolist() == pytest.approx([0.02, 0.02, 0.04, 0.02])
+    assert found.time is not None
+
+
 @pytest.mark.parametrize("mode", ["constant", "self-paced", "freshest"])
 def test_the_ledger_is_exact_and_the_rule_covers_the_ages(mode: str, tmp_path: Path) -> None:
     run = simulate(scenario(written(tmp_path), mode=mode, loss=0.1))
@@ -95,12 +111,14 @@ def test_a_file_is_found_beside_the_scenario(tmp_path: Path) -> None:
     [
         ("send_s,rtt_ms\n", {}, "has no rows; a trace needs names in its first row"),
         ("", {}, "has no rows"),
+        (ROWS.replace("send_s", "rtt_ms"), {"time": None}, 'has 2 columns "rtt_ms"; give each a name of its own'),
         (ROWS, {"column": "owd_ms"}, 'has no column "owd_ms"; its first row names send_s, rtt_ms'),
         (ROWS.replace("80", "-80"), {}, 'rtt_ms in line 4 is "-80"; it must be a finite number, at least 0'),
         (ROWS.replace("80", "nan"), {}, 'rtt_ms in line 4 is "nan"; it must be a finite number'),
         (ROWS.replace("80", "inf"), {}, 'rtt_ms in line 4 is "inf"; it must be a finite number'),
         (ROWS.replace("10.2,80", "10.2"), {}, 'rtt_ms in line 4 is ""; it must be a finite number'),
         (ROWS.replace("80", "8000"), {}, "rtt_ms in line 4 is 8 s; if that is no mistake .* set channel.trace.most"),
+        (ROWS + "1" * 200_000, {}, "trace .* cannot be read: field larger than field limit"),
         (ROWS.replace("10.2", "9.0"), {}, "send_s does not grow in line 4; keep one measurement in a file"),
         (ROWS, {"loop": False}, "lasts 0.4 s and the run 1; shorten the run, or let the trace begin anew"),
     ],
@@ -132,9 +150,55 @@ def test_a_file_that_is_not_there_is_named(tmp_path: Path) -> None:
         prepare(scenario({"file": str(tmp_path / "none.csv"), "column": "rtt_ms", "as": "rtt"}))
 
 
-def test_sessions_say_that_they_do_not_emulate_it(tmp_path: Path) -> None:
-    with pytest.raises(ScenarioError, match=r"channel\.trace is for simulations"):
-        path_laws(scenario(written(tmp_path)), 0)
+@pytest.mark.parametrize("time", ["send_s", None])
+def test_a_session_emulates_what_the_simulator_draws(time: str | None, tmp_path: Path) -> None:
+    """Each direction from the same place on."""
+    asked = scenario(written(tmp_path) | {"time": time}, duration=2.0)
+    timing = prepare(asked).schedule
+    for receiver in (0, 1):
+        path = EmulatedPath(path_laws(asked, 1 - receiver)[receiver], np.random.default_rng(1))
+        if time is not None:
+            path.arrivals(7.0, 10)  # the simulator's clock begins a step before the first message
+        sent = 7.0 + timing.end[1 - receiver]
+        arrived = np.array([path.arrivals(when, 10)[0] for when in sent])
+        latency = timing.draws[list(timing.slots.receiver).index(receiver)].latency
+        assert np.allclose(arrived - sent, latency, rtol=0, atol=1e-9)
+
+
+def test_a_session_lasts_longer_than_a_trace_that_ends(tmp_path: Path) -> None:
+    with pytest.raises(ScenarioError, match=r"channel\.trace\.loop is false, but a session may last longer"):
+        path_laws(scenario(written(tmp_path) | {"loop": False}), 0)
+
+
+def test_a_trace_travels_with_its_session(tmp_path: Path) -> None:
+    written(tmp_path)
+    text = """
+    [network]
+    users = ["a", "b"]
+    spring = [[0, 50], [50, 0]]
+    delay = [[0, 0], [0, 0]]
+    [channel]
+    trace = {file = "trace.csv", column = "rtt_ms", as = "rtt"}
+    [session]
+    emulate = true
+    """
+    (tmp_path / "scene.toml").write_text(text, encoding="utf-8")
+    session = SessionFile.read(tmp_path / "scene.toml")
+    assert set(session.files) == {"trace.csv"}
+    (tmp_path / "there").mkdir()
+    travelled = SessionFile.from_content(session.content, session.files, folder=tmp_path / "there")
+    (tmp_path / "trace.csv").unlink()
+    law = path_laws(travelled.scenario, 0)[1]
+    assert law.further is not None
+    assert {law.further(0.0, number) for number in range(4)} == {0.02, 0.04}
+    with pytest.raises(SessionError, match=r"trace\.csv cannot be read: No such file"):
+        SessionFile.read(tmp_path / "scene.toml")
+    (tmp_path / "trace.csv").write_text("rtt_ms\n" + (1 << 19) * "1\n", encoding="utf-8")
+    with pytest.raises(SessionError, match=r"the trace .*trace\.csv cannot be read: it has more than 1 MB"):
+        SessionFile.read(tmp_path / "scene.toml")
+    (tmp_path / "trace.csv").write_text("send_s,rtt_ms\n", encoding="utf-8")
+    with pytest.raises(ScenarioError, match="has no rows"):
+        SessionFile.read(tmp_path / "scene.toml")
 
 
 def test_a_trace_has_its_own_jitter(tmp_path: Path) -> None:

@@ -1,5 +1,6 @@
 """`cotouch compare`."""
 
+import json
 from pathlib import Path
 from typing import Any
 
@@ -39,7 +40,8 @@ def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) ->
             {"law": law, "network": network, "users": users, "cost": cost, "half_interval": half}
             for (law, network, users), (cost, half) in costs.items()
         ]
-        print_json({"title": study.title, "costs": table, "files": [str(file) for file in files]})
+        problems = json.loads(found.attrs["problems"])
+        print_json({"title": study.title, "costs": table, "problems": problems, "files": [str(file) for file in files]})
         return
     from rich.box import SIMPLE_HEAD
     from rich.console import Console
@@ -54,6 +56,8 @@ def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) ->
         for law in laws:
             shown.add_row(law, *(_cell(*costs[law, network, users]) for network in networks))
         console.print(shown)
+    for problem in json.loads(found.attrs["problems"]):
+        console.print(f"  – {problem}", style="yellow", highlight=False, markup=False, soft_wrap=True)
     for file in files:
         console.print(f"  wrote {file}", highlight=False, soft_wrap=True)
 

@@ -130,14 +130,14 @@ def sweep(path: Path, *, vary: Sequence[str], out: Path | None, dask: str | None
         listed.add_column(literal(option))
     for name, (unit, _) in FIGURES.items():
         if name != "finished":
-            listed.add_column(f"{name}\n{unit}", justify="right")
+            listed.add_column(f"{name.removeprefix('law_')}\n{unit}", justify="right")
     for row in rows:
         cells = [_cell(row[option]) for option in options]
         if row["problem"]:
             listed.add_row(*cells, "–")
             continue
         numbers = [number(float(row[name]), digits=3) for name in FIGURES if name != "finished"]
-        active = row["made"] > row["seed"] + 1e-9 or not row["finished"]
+        active = row["made"] > row["law_seed"] + 1e-9 or not row["finished"]
         listed.add_row(*cells, *numbers, style="red" if active else None)
     Console().print(listed)
     for problem in sorted({row["problem"] for row in rows} - {""}):

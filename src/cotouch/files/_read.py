@@ -67,7 +67,7 @@ def read_bytes(path: Path, what: str, error: type[CotouchError], most: int) -> b
 
 
 def read_text(path: Path, what: str, error: type[CotouchError], most: int = MOST_TEXT) -> str:
-    """The same as text.
+    """The same as text, without the mark that some editors and spreadsheets put before UTF-8.
 
     Args:
         path: of the file.
@@ -79,7 +79,7 @@ def read_text(path: Path, what: str, error: type[CotouchError], most: int = MOST
         CotouchError: of the given class: as `read_bytes` says, or it is not UTF-8.
     """
     try:
-        return read_bytes(path, what, error, most).decode("utf-8")
+        return read_bytes(path, what, error, most).decode("utf-8-sig")
     except UnicodeDecodeError:
         raise error(f"the {what} {path} cannot be read: it is not UTF-8 text") from None
 

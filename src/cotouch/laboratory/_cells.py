@@ -3,13 +3,13 @@
 import hashlib
 import json
 import marshal
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeAlias, TypeVar, final
 
-from cotouch.errors import OutputError
-from cotouch.files import folder, read_text, table_of, write
+from cotouch.errors import OutputError, ScenarioError
+from cotouch.files import folder, look, read_text, table_of, write
 from cotouch.interrupt import check, flag, heeding
 from cotouch.planning import workers
 from cotouch.stamps import stamp_of
@@ -99,6 +99,24 @@ def source_of(made: Any) -> str:
     return hashlib.sha256(text).hexdigest()[:16]
 
 
+def contents_of(files: Iterable[Path]) -> list[str]:
+    """Digests of what files hold, for what follows from them; "" of one that cannot be read.
+
+    Args:
+        files: that a cell reads, by names that may stay the same while what is in them changes.
+    """
+    return [_digest(file) for file in files]
+
+
+def _digest(file: Path) -> str:
+    try:
+        look(file, "file", OutputError)
+        with file.open("rb") as opened:
+            return hashlib.file_digest(opened, "sha256").hexdigest()[:16]
+    except (OSError, OutputError):
+        return ""
+
+
 def many(function: Callable[[A], R], items: Sequence[A], jobs: int = -1) -> list[R]:
     """What a function makes of each item, in their order.
 
@@ -151,6 +169,8 @@ def cells(
 
 def _done(function: Callable[[A], R], items: Sequence[A], jobs: int, dask: str | None) -> Iterator[tuple[int, R]]:
     """Results as they come, with their numbers."""
+    if jobs != -1 and jobs < 1:
+        raise ScenarioError(f"jobs is {jobs}; it must be at least 1, or -1 for one per core")
     import joblib as untyped
 
     joblib: Any = untyped

@@ -10,7 +10,7 @@ import numpy as np
 
 from cotouch.errors import CotouchError, ScenarioError
 from cotouch.interrupt import check, interruptible
-from cotouch.laboratory._cells import Progress, Store, cells, source_of
+from cotouch.laboratory._cells import Progress, Store, cells, contents_of, source_of
 from cotouch.laboratory._ideal import ideal
 from cotouch.laboratory._impedance import impedance
 from cotouch.laboratory._replicas import REPLICAS
@@ -67,7 +67,8 @@ def compare(
     count = len(study.laws) * len(study.networks) * len(study.users) * len(tunings)
     if count > _MOST_CELLS:
         raise ScenarioError(f"the study has {count} cells; at most {_MOST_CELLS} fit")
-    found = _tuned(study, named)
+    held = {network.name: contents_of(study.files([network])) for network in study.networks}
+    found = _tuned(study, held, named)
     jobs_of: dict[str, dict[str, Any]] = {}
     asked: dict[tuple[str, str, str, int], str] = {}
     for law in study.laws:
@@ -77,7 +78,12 @@ def compare(
                 if (setting := settings.get(tuning)) is None:
                     continue
                 for users in study.users:
-                    cell = {"study": _part(study, law, network, users), "setting": setting, "code": _code(law)}
+                    cell = {
+                        "study": _part(study, law, network, users),
+                        "setting": setting,
+                        "code": _code(law),
+                        "files": held[network.name],
+                    }
                     key = json.dumps(cell, sort_keys=True)
                     jobs_of[key] = cell
                     asked[law.label, tuning, network.name, users] = key
@@ -94,15 +100,21 @@ def compare(
     return data
 
 
-def _tuned(study: Study, named: Mapping[str, Any]) -> dict[tuple[str, str], dict[str, Any]]:
-    """What tuning found for each law, on each network that somebody is tuned on."""
+def _tuned(
+    study: Study, held: Mapping[str, list[str]], named: Mapping[str, Any]
+) -> dict[tuple[str, str], dict[str, Any]]:
+    """What tuning found for each law, on each network that somebody is tuned on, whose files hold `held`."""
     places = list(dict.fromkeys(network.tuned_on or network.name for network in study.networks))
     pairs = [(law, study.network(place)) for law in study.laws for place in places]
     if not study.tunes:
         nothing: dict[str, Any] = {"settings": {"published": {}}, "cost": {}, "tried": 0, "problem": ""}
         return {(law.label, network.name): nothing for law, network in pairs}
     items = [
-        {"study": _part(study, law, network, study.tuning.users, tuning=True), "code": _code(law)}
+        {
+            "study": _part(study, law, network, study.tuning.users, tuning=True),
+            "code": _code(law),
+            "files": held[network.name],
+        }
         for law, network in pairs
     ]
     results = cells("tune", tune, items, **named)
@@ -115,13 +127,15 @@ def _mapped(study: Study, found: Mapping[tuple[str, str], Any], named: Mapping[s
         return {}
     first = study.networks[0].tuned_on or study.networks[0].name
     items: list[dict[str, Any]] = []
+    held = contents_of(study.files([]))
     for law in study.laws:
         settings = found[law.label, first]["settings"]
         setting: Any = settings.get("tuned") or settings.get("published") or {}
         for stiffness in study.map.stiffness:
             part = _part(study, law, NetworkTable(name="map", delay=0.0), 2)
             part["hands"] = [{**part["hands"][0], "stiffness": stiffness}]
-            items.append({"study": part, "setting": setting, "delay": list(study.map.delay), "code": _code(law)})
+            item = {"study": part, "setting": setting, "delay": list(study.map.delay)}
+            items.append(item | {"code": _code(law), "files": held})
     results = cells("map", danger, items, **named)
     rows = len(study.map.stiffness)
     return {law.label: results[k * rows : (k + 1) * rows] for k, law in enumerate(study.laws)}

@@ -4,7 +4,7 @@ Predicted for laws that are linear, from the bodies' matrices and the mean ages 
 pushing with one tone after the other. Both are `Z = f/v` at the node that the hand holds.
 """
 
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -58,14 +58,17 @@ def impedance(
         the lowest tone [Ns/m]; `mass` [kg] and `stiffness` [N/m] of the `m s + k/s` that comes nearest up to 2 Hz.
 
     Raises:
-        ScenarioError: there is no such user, node or axis; or no frequency is above 0.
-        UnsupportedError: links have weights, which cannot be predicted yet.
+        ScenarioError: there is no such user, node, axis or others; or no frequency is above 0.
+        UnsupportedError: links have weights, which cannot be predicted yet; or nothing is to be measured of a law that
+            is not linear, so that nothing can be predicted.
     """
     import xarray as xr
 
     scenario = scenario.placed()
     tones = np.geomspace(*_BAND, _TONES) if frequencies is None else np.atleast_1d(np.asarray(frequencies, dtype=float))
     body, users = scenario.build_body(), scenario.network.size
+    if others not in get_args(Others):
+        raise ScenarioError(f'others is "{others}"; it must be "free" or "holding"')
     if not 1 <= user <= users:
         raise ScenarioError(f"user is {user}; the network has users 1 to {users}")
     held = [hand.node for hand in scenario.hands if hand.user == user]
@@ -81,13 +84,16 @@ def impedance(
         for hand in scenario.hands
         if others == "holding" and hand.user != user and hand.kind == "spring"
     ]
+    law, _ = given_law(scenario)
+    if not measured and law.linear is None and scenario.network.links:
+        raise UnsupportedError(f'law "{law.name}" is not linear, so what hands feel of it can only be measured')
     still = scenario.replace(hands=quiet, tools=[], initial={}, record={})
     prepared = prepare(still)
     found: dict[str, Complex] = {"predicted": _predicted(prepared, user - 1, place - 1, axis, tones)}
     if measured:
         found["measured"] = np.array(many(lambda tone: _measured(still, user, place, axis, tone), tones.tolist(), jobs))
     data: dict[str, Any] = {}
-    attrs: dict[str, Any] = {"law": given_law(scenario)[0].name, "user": user, "node": place, "others": others}
+    attrs: dict[str, Any] = {"law": law.name, "user": user, "node": place, "others": others}
     for name, values in found.items():
         for part, numbers in (("real", values.real), ("imag", values.imag)):
             data[f"{name}_{part}"] = ("frequency", numbers, {"units": "N s/m", "long_name": f"impedance, {name}"})
@@ -118,7 +124,8 @@ def _predicted(prepared: Prepared, user: int, node: int, axis: int, tones: Float
 
     scenario, body, timing = prepared.scenario, prepared.body, prepared.schedule
     law, given = given_law(scenario)
-    if law.linear is None:
+    linear = law.linear
+    if linear is None and scenario.network.links:
         return np.full(tones.size, np.nan + 0j)
     if body.rigid and any(hand.node > body.nodes for hand in scenario.hands):
         raise UnsupportedError("the felt impedance is predicted at nodes only, of a rigid body its four masses")
@@ -144,6 +151,7 @@ def _predicted(prepared: Prepared, user: int, node: int, axis: int, tones: Float
         own = local.astype(np.complex128)
         between = np.zeros((count, count), dtype=np.complex128)
         for slot, (i, j) in enumerate(zip(slots.receiver, slots.sender, strict=True)):
+            assert linear is not None  # there is a link
             tone = Tone(
                 s=complex(s),
                 spring=facts[slot].spring,
@@ -151,7 +159,7 @@ def _predicted(prepared: Prepared, user: int, node: int, axis: int, tones: Float
                 there=complex(np.exp(-s * delay[i, j])),
                 back=complex(np.exp(-s * delay[j, i])),
             )
-            at_own, at_other = law.linear(tone)
+            at_own, at_other = linear(tone)
             own[i] += at_own
             between[i, j] -= at_other
         copy = (s * body.mass + body.damping + body.stiffness / s) / count

@@ -21,6 +21,10 @@ from cotouch.network import Network, complete, path, ring, star
 from cotouch.scenario import Positive, Scenario, Table, sentence
 
 _MOST_DRAWS = 1000
+# A law that needs a constant delay gets samples so late that this share of them has come.
+_PLAYED_OUT = 0.99
+# Fewest steps of a run: costs of fewer say nothing of laws.
+_FEWEST = 100
 _GRAPHS = {"complete": complete, "path": path, "ring": ring, "star": star}
 
 
@@ -77,7 +81,7 @@ class Study(Table):
         named = None if tables is None else list_of(tables.get("laws"))
         if tables is None or named is None:
             return value
-        laws = [law if {"law", "replica"} & set(table_of(law) or ()) else {"law": law} for law in named]
+        laws = [{"law": law} if (own := table_of(law)) is None or "kind" in own else law for law in named]
         return {**tables, "laws": laws}
 
     @model_validator(mode="after")
@@ -96,6 +100,11 @@ class Study(Table):
             for name in said:
                 if said.count(name) > 1:
                     raise ValueError(f'{what} holds "{name}" twice; give each a name of its own')
+        if self.duration < _FEWEST * self.period:
+            raise ValueError(
+                f"period is {self.period:g} s; in a run of {self.duration:g} s it must be at most "
+                f"{self.duration / _FEWEST:g} s"
+            )
         known = [network.name for network in self.networks]
         for network in self.networks:
             if network.tuned_on is not None and network.tuned_on not in known:
@@ -140,13 +149,18 @@ class Study(Table):
                 entry["delays"] = str(place.parent / entry["delays"])
         return cls.make(source=str(place), **tables)
 
-    def files(self) -> tuple[Path, ...]:
-        """What it reads besides its own file."""
-        traces = [table_of(network.channel.get("trace")) for network in self.networks]
+    def files(self, only: Sequence[NetworkTable] | None = None) -> tuple[Path, ...]:
+        """What it reads besides its own file: for its body and its networks.
+
+        Args:
+            only: networks of it; None: all.
+        """
+        networks = self.networks if only is None else only
+        traces = [table_of(network.channel.get("trace")) for network in networks]
         named = chain(
             [self.body.get("file")],
             (trace.get("file") for trace in traces if trace is not None),
-            (network.delays for network in self.networks),
+            (network.delays for network in networks),
         )
         return tuple(Path(file) for file in named if isinstance(file, str))
 
@@ -224,9 +238,16 @@ class Study(Table):
             ScenarioError: it cannot be.
         """
         factors = dict(setting or {})
+        if law.replica is not None and network.channel.get("codec") is not None:
+            raise ScenarioError(
+                f'network "{network.name}" has a codec, but replica "{law.replica}" says all in full; '
+                "leave one of them out"
+            )
         joined = self.joined(network, users, factors.pop("spring", 1.0))
         given = {**{name: f"{factor!r}x" for name, factor in factors.items()}, **law.given}
         synchronisation: dict[str, Any] = {"mode": network.mode, "law": {"kind": law.kind, **given}}
+        if law_named(law.kind).constant_delay and network.varies and network.mode != "constant":
+            synchronisation |= {"mode": "constant", "quantile": _PLAYED_OUT}
         if law.damping is not None or law.replica is not None:
             synchronisation["damping"] = law.damping or 0.0
         return Scenario.make(

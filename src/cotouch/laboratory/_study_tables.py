@@ -92,7 +92,14 @@ class NetworkTable(Table):
     def _one(self) -> Self:
         if (self.delay is None) == (self.delays is None):
             raise ValueError(f'network "{self.name}" needs one of delay and delays')
+        if self.pick and self.delays is None:
+            raise ValueError(f'network "{self.name}" has pick, which takes users of a table of delays; give delays')
         return self
+
+    @property
+    def varies(self) -> bool:
+        """Whether its delay is not always the same."""
+        return bool(self.channel.keys() - {"codec"})
 
 
 @final

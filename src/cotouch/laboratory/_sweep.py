@@ -10,7 +10,7 @@ import numpy as np
 
 from cotouch.errors import CotouchError, ScenarioError
 from cotouch.interrupt import interruptible
-from cotouch.laboratory._cells import Progress, Store, cells, source_of
+from cotouch.laboratory._cells import Progress, Store, cells, contents_of, source_of
 from cotouch.laboratory._ideal import digest
 from cotouch.laws import law_named
 from cotouch.network import Network
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 # Of each run: name, unit, meaning.
 FIGURES = {
     "made": ("J", "most energy that the links had made"),
-    "seed": ("J", "what the law says that they may make"),
+    "law_seed": ("J", "what the law says that they may make"),
     "extracted": ("J", "most that users got out beyond what there was"),
     "rms": ("m", "distance of a user's copy from the mean of all, root mean square"),
     "largest": ("m", "likewise, at most"),
@@ -32,6 +32,8 @@ FIGURES = {
     "finished": ("1", "1 if the motion stayed within floating point"),
 }
 _MOST_RUNS = 100_000
+# Tables whose options name a law or files.
+_NAMING = {"synchronisation", "body", "channel"}
 
 
 def values_of(text: str) -> list[Any]:
@@ -143,7 +145,7 @@ def sweep(
         scenario = scenario.replace(synchronisation__law=scenario.synchronisation.law or scenario.law[0])
     whole = {"scenario": scenario.as_json(), "body": digest(scenario.build_body())}
     combinations = [dict(zip(vary, values, strict=True)) for values in product(*vary.values())]
-    items = [{**whole, "options": each, "code": _code(scenario, each)} for each in combinations]
+    items = [{**whole, "options": each, **_made_of(scenario, each)} for each in combinations]
     kept = None if store is None else Store(store, source_of(_run))
     done = cells("run", partial(_run, scenario), items, jobs=jobs, dask=dask, store=kept, progress=progress)
     results = [(found["figures"], found["problem"]) for found in done]
@@ -164,15 +166,16 @@ def sweep(
     return xr.Dataset(data, coords=coordinates, attrs={"scenario": scenario.as_json()})
 
 
-def _code(scenario: Scenario, options: Mapping[str, Any]) -> str:
-    """Of the file of a run's law; nothing where the run cannot be."""
+def _made_of(scenario: Scenario, options: Mapping[str, Any]) -> dict[str, Any]:
+    """The file of a run's law, and what those that it reads hold; nothing where the run cannot be."""
     try:
         for option, value in options.items():
-            if option.startswith("synchronisation"):
+            if option.partition(".")[0] in _NAMING:
                 scenario = varied(scenario, option, value)
-        return source_of(law_named(scenario.law[0]).before)
+        law = law_named(scenario.law[0])
     except CotouchError:
-        return ""
+        return {"code": "", "files": []}
+    return {"code": source_of(law.before), "files": contents_of(scenario.files())}
 
 
 def _run(scenario: Scenario, cell: Mapping[str, Any]) -> dict[str, Any]:
@@ -187,7 +190,7 @@ def _run(scenario: Scenario, cell: Mapping[str, Any]) -> dict[str, Any]:
     force = np.asarray(run["force"].values, dtype=np.float64)
     figures = {
         "made": judged["made_j"],
-        "seed": judged["seed_j"],
+        "law_seed": judged["seed_j"],
         "extracted": judged["extracted_j"],
         "rms": apart["rms"],
         "largest": apart["max"],

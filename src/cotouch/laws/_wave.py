@@ -25,7 +25,8 @@ def _before(end: End) -> None:
         wave[i] = (end.received[0, i] - into[i]) / span if end.sample_index >= 0 else 0.0
     most = max(end.received_scalars[0] - energy[0], 0.0)
     power = 0.5 * square(end.weight, wave)
-    fraction = sqrt(most / (power * T)) if power * T > most else 1.0
+    # Over the filter's time, as waves are: what comes in bursts would else be taken in bursts, which carry less.
+    fraction = sqrt(most / (power * span)) if power * span > most else 1.0
     push = root * sqrt(2.0 * power)
     if fraction * push > end.parameters[3]:
         fraction = end.parameters[3] / push

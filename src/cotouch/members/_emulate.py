@@ -1,5 +1,7 @@
 """The network that a session's file describes, put on the real one."""
 
+from collections.abc import Callable
+
 from cotouch.errors import ScenarioError
 from cotouch.samples import PathLaw
 from cotouch.scenario import Scenario
@@ -13,13 +15,13 @@ def path_laws(scenario: Scenario, slot: int) -> dict[int, PathLaw]:
         slot: who sends.
 
     Raises:
-        ScenarioError: the channel has a law that is only for simulations.
+        ScenarioError: the channel has a law that is only for simulations, or its trace cannot be read.
     """
     channel = scenario.channel
     if channel.jitter is not None and channel.jitter.kind != "uniform":
         raise ScenarioError(f'channel.jitter.kind is "{channel.jitter.kind}"; a session emulates "uniform" only')
-    if channel.trace is not None:
-        raise ScenarioError("channel.trace is for simulations; a session emulates jitter instead")
+    if channel.trace is not None and not channel.trace.loop:
+        raise ScenarioError("channel.trace.loop is false, but a session may last longer; let the trace begin anew")
     burst = channel.burst
     if burst is not None and (burst.loss_good, burst.loss_bad) != (0.0, 1.0):
         raise ScenarioError("channel.burst must have loss_good = 0 and loss_bad = 1 where a session emulates it")
@@ -33,7 +35,19 @@ def path_laws(scenario: Scenario, slot: int) -> dict[int, PathLaw]:
             hold=channel.reordering_delay,
             enter=0.0 if burst is None else burst.enter,
             leave=1.0 if burst is None else burst.leave,
+            further=_measured(scenario, slot, other),
         )
         for other in range(scenario.network.size)
         if other != slot
     }
+
+
+def _measured(scenario: Scenario, slot: int, other: int) -> Callable[[float, int], float] | None:
+    """What the channel's trace adds, from where the direction finds it in the simulator; None: there is none."""
+    trace = scenario.trace()
+    if trace is None:
+        return None
+    from cotouch.simulation import start_of
+
+    start = start_of((scenario.seed, 2, other, slot))
+    return lambda since, number: trace.one(since, number, start)

@@ -10,8 +10,9 @@ import numpy as np
 from pydantic import Field, ValidationError, model_validator
 
 from cotouch.errors import ScenarioError, SessionError
-from cotouch.files import list_of, read_bytes, read_text, table_of, toml
+from cotouch.files import list_of, look, read_bytes, read_text, table_of, toml
 from cotouch.members._device_table import DeviceTable
+from cotouch.members._emulate import path_laws
 from cotouch.members._law_check import check_codec, check_law, check_live
 from cotouch.network import Network
 from cotouch.planning import Objective
@@ -33,6 +34,8 @@ MOST_USERS = 32
 DEFAULT_RATE = 500.0
 # A session's description and its meshes are sent to everybody who joins.
 MOST_BYTES = 256 << 20
+# Of a trace, which everybody reads who joins; each byte of it may take some hundred of memory.
+_MOST_TRACE = 1 << 20
 _DEFAULT_SPRING = 60.0
 _DEFAULT_DELAY = 0.02
 _FORMAT = "cotouch session 3"
@@ -67,7 +70,7 @@ class SessionTable(Table):
         max_displacement: greatest displacement of any node along an axis; what is farther is neither sent nor taken
             [m].
         send_rate: highest rate of samples on each link [1/s]; by default the sender's own.
-        emulate: apply the delays of `[network]` and the impairments of `[channel]` to every path, to try them on one
+        emulate: apply the delays of `[network]` and the impairments of `[channel]`, or its trace, to every path, to try them on one
             machine.
         per_address: slots that one address may take, this machine aside; by default half of them, rounded up.
         devices: how the devices in people's hands are coupled.
@@ -123,7 +126,7 @@ class SessionFile:
         scenario: body, network, steps, synchronisation, hands, tools, solver.
         options: what only the live world needs.
         content: what members fetch; its SHA-256 names the session.
-        files: the meshes that it needs, by name.
+        files: the meshes and the trace that it needs, by name.
     """
 
     scenario: Scenario
@@ -133,7 +136,7 @@ class SessionFile:
 
     @classmethod
     def read(cls, path: str | Path, *, law: str | None = None) -> "SessionFile":
-        """Reads a session from a TOML file, and the meshes that it names.
+        """Reads a session from a TOML file, and the files that it names.
 
         Args:
             path: of the file.
@@ -151,12 +154,12 @@ class SessionFile:
     def from_toml(
         cls, text: str, *, source: str = "the session", folder: Path | None = None, law: str | None = None
     ) -> "SessionFile":
-        """Reads a session from TOML text; a mesh is looked for in `folder`.
+        """Reads a session from TOML text; files are looked for in `folder`.
 
         Args:
             text: the words.
             source: what messages call it.
-            folder: where meshes are looked for; None: none is read.
+            folder: where files are looked for; None: none is read.
             law: of the links, instead of the text's; None: the text's.
         """
         tables = _parsed(text, source)
@@ -165,14 +168,14 @@ class SessionFile:
             _take_law(tables, law)
         files: dict[str, bytes] = {}
         named: dict[str, str] = {}
-        for table in _with_mesh(tables):
+        for table in _with_file(tables):
             name = PurePosixPath(table["file"]).name
             if named.setdefault(name, table["file"]) != table["file"]:
                 raise SessionError(
                     f'{source} names "{named[name]}" and "{table["file"]}"; they travel without their folders, so give '
                     "them different names"
                 )
-            files[name] = read_bytes((folder or Path()) / table["file"], "mesh", SessionError, MOST_BYTES)
+            files[name] = read_bytes((folder or Path()) / table["file"], "file", SessionError, MOST_BYTES)
         scenario, options = _made(tables, source, folder)
         if "law" not in tables.get("synchronisation", {}):
             law = scenario.law[0]  # other versions may have another default
@@ -184,7 +187,7 @@ class SessionFile:
         }
         content = json.dumps(described, sort_keys=True).encode()
         if len(content) + sum(map(len, files.values())) > MOST_BYTES:
-            raise SessionError(f"{source} and its meshes are larger than {MOST_BYTES >> 20} MB; make the mesh coarser")
+            raise SessionError(f"{source} and its files are larger than {MOST_BYTES >> 20} MB; make meshes coarser")
         return cls(scenario, options, content, files)
 
     @classmethod
@@ -212,7 +215,7 @@ class SessionFile:
         tables = _parsed(described["text"], "the session")
         if described["law"] is not None:
             _take_law(tables, described["law"])
-        for table in _with_mesh(tables):
+        for table in _with_file(tables):
             table["file"] = PurePosixPath(table["file"]).name
         scenario, options = _made(tables, "the session", folder)
         return cls(scenario, options, content, files)
@@ -284,11 +287,12 @@ def _take_law(tables: dict[str, Any], law: str) -> None:
     tables["synchronisation"] = {**given, "law": law} if isinstance(given, dict) else given
 
 
-def _with_mesh(tables: dict[str, Any]) -> list[dict[str, Any]]:
-    """The tables that name a mesh: of a body, of each of several, of tools, of what stands still."""
+def _with_file(tables: dict[str, Any]) -> list[dict[str, Any]]:
+    """The tables that name a file: of a body, of each of several, of tools, of what stands still; of a trace."""
     around = list_of((table_of(tables.get("world")) or {}).get("meshes"))
     several = (*(list_of(tables.get("bodies")) or ()), *(list_of(tables.get("tools")) or ()))
-    given = [tables.get("body"), *several, *(around or ())]
+    trace = (table_of(tables.get("channel")) or {}).get("trace")
+    given = [tables.get("body"), *several, *(around or ()), trace]
     found = [table for one in given if (table := table_of(one)) is not None]
     return [table for table in found if isinstance(table.get("file"), str)]
 
@@ -314,10 +318,14 @@ def _made(tables: dict[str, Any], source: str, folder: Path | None) -> tuple[Sce
         tables["network"] = Network.from_table(tables["network"], source=source)
     else:
         raise SessionError(f"{source} has neither session.users nor [network]; give one of them")
-    for table in _with_mesh(tables) if folder is not None else ():
+    for table in _with_file(tables) if folder is not None else ():
         table["file"] = str(folder / table["file"])
     scenario = Scenario.make(source=source, **tables)
     _live(scenario, source)
+    if options.emulate and folder is not None:
+        if scenario.channel.trace is not None:
+            look(Path(scenario.channel.trace.file), "trace", SessionError, _MOST_TRACE)
+        path_laws(scenario, 0)
     check_codec(scenario, options.model_dump(exclude_unset=True), source)
     check_law(scenario, options.model_dump(exclude_unset=True), source)
     for number, table in enumerate(options.devices, start=1):

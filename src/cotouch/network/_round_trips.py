@@ -24,7 +24,8 @@ def read_round_trips(path: str | Path) -> tuple[tuple[str, ...], Float]:
         NetworkError: the file cannot be read, or something in it is wrong; the message names the place.
     """
     source = Path(path)
-    rows = [row for row in csv.reader(read_text(source, "table of round trips", NetworkError).splitlines()) if row]
+    text = read_text(source, "table of round trips", NetworkError)
+    rows = [row for row in csv.reader(text.splitlines(), skipinitialspace=True) if row]
     if len(rows) < 2:
         raise NetworkError(f"{source} has no round trips; its first row and column are names, its fields are ms")
     names = [name.strip() for name in rows[0][1:]]

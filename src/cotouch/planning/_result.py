@@ -186,4 +186,5 @@ def worst_path(network: Network) -> float:
     # A delay of 0 is no link to a sparse matrix.
     delay = np.maximum(network.delay[there, back], np.finfo(float).tiny)
     graph = scipy.sparse.csr_array((delay, (there, back)), shape=(network.size, network.size))
-    return float(scipy.sparse.csgraph.shortest_path(graph).max())
+    longest = float(scipy.sparse.csgraph.shortest_path(graph).max())
+    return longest if longest > network.size * np.finfo(float).tiny else 0.0

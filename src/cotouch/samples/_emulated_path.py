@@ -1,5 +1,6 @@
 """What a path does to datagrams, one at a time; for tests and emulated networks. The generator is handed in."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import final
 
@@ -25,6 +26,8 @@ class PathLaw:
         rate: of the slowest wire [B/s].
         queue: longest wait for that wire; what would wait longer is dropped [s].
         down: whether nothing goes through.
+        further: delay of a datagram on top [s], from when it is sent after the first [s], and how many were sent before
+            it: as it was measured on another path, say.
     """
 
     delay: float = 0.0
@@ -38,6 +41,7 @@ class PathLaw:
     rate: float = float("inf")
     queue: float = float("inf")
     down: bool = False
+    further: Callable[[float, int], float] | None = None
 
     def __post_init__(self) -> None:
         for name in ("loss", "duplication", "reordering", "enter", "leave"):
@@ -52,7 +56,7 @@ class PathLaw:
 
 @final
 class EmulatedPath:
-    """One direction of a path and what it remembers: its burst, and how long its wire is taken.
+    """One direction of a path and what it remembers: its burst, its first datagram, and how long its wire is taken.
 
     Attributes:
         law: may be changed at any time.
@@ -62,6 +66,8 @@ class EmulatedPath:
         self.law = law
         self._rng = rng
         self._burst = False
+        self._first: float | None = None
+        self._sent = 0
         self._free = -float("inf")
 
     def arrivals(self, now: float, size: int) -> tuple[float, ...]:
@@ -72,6 +78,9 @@ class EmulatedPath:
             size: of the datagram [B].
         """
         law, rng = self.law, self._rng
+        if self._first is None:
+            self._first = now
+        number, self._sent = self._sent, self._sent + 1
         if law.down:
             return ()
         if law.enter > 0.0:
@@ -86,6 +95,8 @@ class EmulatedPath:
         out += size / law.rate
         self._free = out
         out += law.delay
+        if law.further is not None:
+            out += law.further(now - self._first, number)
         first = out + (law.jitter * rng.random() if law.jitter > 0.0 else 0.0)
         if law.reordering > 0.0 and rng.random() < law.reordering:
             first += law.hold

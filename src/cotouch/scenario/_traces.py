@@ -2,7 +2,7 @@
 
 import csv
 from pathlib import Path
-from typing import Annotated, Literal, Self, final
+from typing import Annotated, Any, Literal, Self, cast, final
 
 import numpy as np
 from pydantic import ConfigDict, Field, model_validator
@@ -26,6 +26,7 @@ class Trace:
         time: of sending, from 0 on, (rows,) [s]; None: each row is of one message.
         latency: one way, (rows,) [s].
         loop: whether it begins anew after its end, and may begin anywhere.
+        span: how long it lasts, with the gap before it begins anew [s]; messages, where each row is of one.
     """
 
     def __init__(self, time: Float | None, latency: Float, *, loop: bool) -> None:
@@ -33,13 +34,10 @@ class Trace:
         self.time = time
         self.latency = latency
         self.loop = loop
-
-    @property
-    def span(self) -> float:
-        """How long it lasts, with the gap before it begins anew [s]; messages, where each row is of one."""
-        if self.time is None:
-            return float(self.latency.size)
-        return float(self.time[-1] + (np.median(np.diff(self.time)) if self.time.size > 1 else 0.0))
+        self.span = float(latency.size)
+        if time is not None:
+            self.span = float(time[-1] + (np.median(np.diff(time)) if time.size > 1 else 0.0))
+        self._round = None if time is None else (np.append(time, self.span), np.append(latency, latency[0]))
 
     def of(self, sent: Float, start: float) -> Float:
         """Latency of every message of one direction of a link, (messages,) [s].
@@ -63,10 +61,32 @@ class Trace:
                 )
             start = 0.0
         if self.time is None:
-            return self.latency[(int(start * self.latency.size) + np.arange(sent.size)) % self.latency.size]
-        if self.time.size == 1 or not self.loop:
+            rows: Long = self._row(start, np.arange(sent.size))
+            return self.latency[rows]
+        if not self.loop:
             return np.interp(sent, self.time, self.latency)
-        return np.interp(start * self.span + sent, self.time, self.latency, period=self.span)
+        return self._between(start, sent)
+
+    def one(self, since: float, number: int, start: float) -> float:
+        """Latency of one message, as long as the trace begins anew [s].
+
+        Args:
+            since: when it is sent, after the first [s].
+            number: how many were sent before it.
+            start: as `of` has it.
+        """
+        if self.time is None:
+            return float(self.latency[self._row(start, number)])
+        return float(self._between(start, since))
+
+    def _row(self, start: float, number: Any) -> Any:
+        return (int(start * self.latency.size) + number) % self.latency.size
+
+    def _between(self, start: float, since: Any) -> Any:
+        assert self._round is not None
+        time, latency = self._round
+        at = (start * self.span + since) % self.span if self.span else 0.0 * since
+        return cast("Any", np.interp(at, time, latency))
 
 
 @final
@@ -107,9 +127,12 @@ class TraceTable(Table):
         """
         path = Path(self.file)
         text = read_text(path, "trace", ScenarioError, _MOST_BYTES)
-        rows = csv.reader(text.splitlines())
-        names = [name.strip() for name in next(rows, list[str]())]
-        kept = [row for row in rows if row]
+        rows = csv.reader(text.splitlines(), skipinitialspace=True)
+        try:
+            names = [name.strip() for name in next(rows, list[str]())]
+            kept = [row for row in rows if row]
+        except csv.Error as error:
+            raise ScenarioError(f"the trace {path} cannot be read: {error}") from None
         if not kept:
             raise ScenarioError(f"{path} has no rows; a trace needs names in its first row and a latency in each other")
         if len(kept) > _MOST_ROWS:
@@ -137,6 +160,8 @@ class TraceTable(Table):
         """A column, each number finite and at least 0."""
         if column not in names:
             raise ScenarioError(f'{path} has no column "{column}"; its first row names {", ".join(names)[:200]}')
+        if names.count(column) > 1:
+            raise ScenarioError(f'{path} has {names.count(column)} columns "{column}"; give each a name of its own')
         at = names.index(column)
         fields = [row[at].strip() if at < len(row) else "" for row in rows]
         values = np.array([_number(field) for field in fields])

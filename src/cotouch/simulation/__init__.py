@@ -3,6 +3,7 @@
 from cotouch.simulation._animation import HTML, Animation, PortTracks, ToolTracks, UserSeries
 from cotouch.simulation._batch import Outcome, Traffic, run_batch
 from cotouch.simulation._body_report import body_report, save_body_figure
+from cotouch.simulation._channel import start_of
 from cotouch.simulation._figures import FIGURES, figures, save_figures, shade_hold
 from cotouch.simulation._law_setup import facts_of, given_law
 from cotouch.simulation._layout import TOOL_LEDGER, USER_LEDGER
@@ -62,6 +63,7 @@ __all__ = [
     "settling_time",
     "shade_hold",
     "simulate",
+    "start_of",
     "summary",
     "tables",
     "with_hands",

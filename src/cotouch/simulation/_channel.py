@@ -47,8 +47,17 @@ def measured_at(trace: Trace | None, sent: Float, *, seed: tuple[int, ...]) -> M
     """
     if trace is None:
         return None
-    start = float(np.random.Generator(np.random.PCG64(np.random.SeedSequence((*seed, 2)))).random())
+    start = start_of(seed)
     return lambda index, later: trace.of(sent + later, start)[index]
+
+
+def start_of(seed: tuple[int, ...]) -> float:
+    """Share of a trace at which a direction of a link finds it.
+
+    Args:
+        seed: of this direction.
+    """
+    return float(np.random.Generator(np.random.PCG64(np.random.SeedSequence((*seed, 2)))).random())
 
 
 def draw(

@@ -111,11 +111,8 @@ def law_setup(scenario: Scenario, ready: Model, timing: Schedule, weight: Int, s
     check_codec(scenario, ready, law, weight)
     if law.name == "spring" and scenario.channel.codec is None:
         return None
-    if law.constant_delay and not (certain(scenario.channel) and timing.mode != "self-paced"):
-        raise ScenarioError(
-            f'synchronisation.law is "{law.name}", which needs a constant delay, but the channel\'s varies; take '
-            'jitter and losses out, or use mode "constant" with an index delay that covers them'
-        )
+    if law.constant_delay and timing.mode != "constant":
+        _check_constant(scenario, law, timing)
     operator = ready.operator
     if any(np.any(operator.mix[WEIGHTS + w]) for w in weight):
         raise ScenarioError(
@@ -137,6 +134,20 @@ def law_setup(scenario: Scenario, ready: Model, timing: Schedule, weight: Int, s
         weight=diagonal,
         holds=law.holds is None or all(law.holds(*end) for end in zip(ends, parameters, strict=True)),
         seed=held + sum(law.seed_of(values) for values in parameters),
+    )
+
+
+def _check_constant(scenario: Scenario, law: Law, timing: Schedule) -> None:
+    """Refuses a law that needs samples of a constant age where only an index would make them so."""
+    if not certain(scenario.channel) or timing.mode != "freshest":
+        varies = "the channel's varies; take jitter and losses out"
+    elif not np.ptp(timing.length):
+        return
+    else:
+        varies = "with steps of different lengths ages vary; give all the same period"
+    raise ScenarioError(
+        f'synchronisation.law is "{law.name}", which needs a constant delay, but {varies}, or use mode "constant", '
+        "whose index delay covers that"
     )
 
 

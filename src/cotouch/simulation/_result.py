@@ -313,7 +313,7 @@ def _judged(prepared: Prepared, outcome: Outcome) -> dict[str, Any]:
     law, _ = given_law(prepared.scenario)
     covered = (wish.damping is None or isinstance(wish.damping, str)) and wish.damping_scale >= 1.0
     covered = covered and wish.quantile in {None, 1.0} and not timing.underruns.any()
-    covered = covered or law.rule == 0.0
+    covered = covered or (law.rule == 0.0 and not (law.constant_delay and timing.underruns.any()))
     promised = law.passive and covered and (prepared.law is None or prepared.law.holds)
     seed = prepared.law.seed if prepared.law is not None else float(record.links[0].sum())
     return {
