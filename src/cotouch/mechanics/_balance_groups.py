@@ -30,8 +30,9 @@ from cotouch.mechanics._vector import at, put
 
 # Numbers of each body: mass, momentum, kinetic energy, what it lacks, what of its energy is about its centre, how much
 # energy went to and fro; the factor on its velocity, the velocity about which that acts; whether it shares with others
-# what it lacks, and whether its group is not closed.
+# what it lacks, and whether its group is not closed: 1, or `STILL` where it moves by nothing but rounding.
 MASS, MOMENTUM, MOVING, LACKS, ABOUT, FLOW, FACTOR, CENTRE, SHARES, OPEN = 0, 1, 4, 5, 6, 7, 8, 9, 12, 13
+STILL = 2.0
 # Who has less than this share of its energy about its own centre, and would be changed by more than that if it made up
 # for what it lacks by itself, shares it with those that touch it, if all of them are changed by less then.
 _HARDLY, _MUCH = 1e-4, 1e-3
@@ -151,10 +152,32 @@ def decide(parts: Parts | None, weighed: Float, attempt: int, others: bool) -> t
             worst = max(worst, abs(math.sqrt(square) - 1.0))
         if not closed or (passed and attempt < LAST_OF_ALL):
             good = False
+            still = not passed and _rests(parts, group, rounded)
             for b in range(parts.held.shape[0]):
                 if at(parts.met.group, b) == group:
-                    put(parts.sums, (b, OPEN), 1.0)
+                    put(parts.sums, (b, OPEN), STILL if still else 1.0)
     return good, worst
+
+
+@inner
+def _rests(parts: Parts, group: int, rounded: float) -> bool:
+    """Whether a group moves by nothing but rounding."""
+    lacks = _sum(parts, group, False)[2]
+    have = 0.0
+    for b in range(parts.held.shape[0]):
+        if at(parts.met.group, b) == group:
+            have += at(parts.sums, (b, MOVING))
+    return have <= rounded and abs(lacks) <= rounded
+
+
+@part
+def resting_parts(parts: Parts | None) -> bool:
+    """Whether all groups that were not closed move by nothing but rounding."""
+    rests = parts is not None
+    if parts is not None:
+        for b in range(parts.held.shape[0]):
+            rests = rests and at(parts.sums, (b, OPEN)) != 1.0
+    return rests
 
 
 @part

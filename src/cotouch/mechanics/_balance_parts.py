@@ -18,6 +18,7 @@ from cotouch.mechanics._balance_groups import (
     MOMENTUM,
     MOVING,
     OPEN,
+    STILL,
     decide,
     held_together,
     scale_parts,
@@ -175,7 +176,7 @@ def stretch(parts: Parts | None, mean: Float, factor: float, lanes: tuple[int, .
 
 @part
 def shorten(parts: Parts | None, mean: Float, factor: float, everything: bool, lanes: tuple[int, ...]) -> bool:
-    """Scales how far a body goes; of several those whose groups are not closed, or everything.
+    """Scales how far a body goes; of several those whose groups are not closed, or everything. Who rests stays.
 
     Returns:
         Whether any of it had gone anywhere.
@@ -184,7 +185,8 @@ def shorten(parts: Parts | None, mean: Float, factor: float, everything: bool, l
     for i in range(mean.shape[0]):
         goes = factor
         if parts is not None:
-            goes = factor if everything or at(parts.sums, (at(parts.part, i), OPEN)) != 0.0 else 1.0
+            is_open = at(parts.sums, (at(parts.part, i), OPEN))
+            goes = 0.0 if is_open == STILL else factor if everything or is_open != 0.0 else 1.0
         if goes != 1.0:
             rate = load(mean, i, lanes)
             gone = gone or total(rate * rate) != 0.0

@@ -22,7 +22,7 @@ from cotouch.mechanics._balance import (
     resting,
     weigh,
 )
-from cotouch.mechanics._balance_groups import LAST_OF_ALL
+from cotouch.mechanics._balance_groups import LAST_OF_ALL, resting_parts
 from cotouch.mechanics._balance_parts import close_all, free_parts, keep_parts, shorten
 from cotouch.mechanics._direction import direct, level, predict
 from cotouch.mechanics._force import BodyForce, evaluate
@@ -151,7 +151,7 @@ def closed_step(
         ):
             break
         go_back(force, state, work, lanes)
-        still = not passed and resting(work.weighed)
+        still = (not passed and resting(work.weighed)) or resting_parts(force.parts)
         if attempt == 0 and not passed and not still:
             predict(op, force, state, T, False, work, lanes)
             direct(
@@ -174,10 +174,11 @@ def closed_step(
             # What cannot be closed, or would still pass an obstacle, stays where it is at last.
             shorter = 0.0 if still or attempt >= LAST_ATTEMPT - 1 else 0.5
             refused = refused or (not still and shorter == 0.0)
-            length *= shorter
+            length *= 1.0 if still else shorter
             if not shorten(force.parts, work.mean, shorter, attempt >= LAST_OF_ALL - 1, lanes):
                 # Nothing that goes less far would be any different.
-                length, refused, attempt = 0.0, refused or not still, max(attempt, LAST_ATTEMPT - 1)
+                refused, attempt = refused or not still, max(attempt, LAST_ATTEMPT - 1)
+                length = length if still else 0.0
         attempt += 1
     weighed = work.weighed
     rounded = abs(weighed[TARGET] - weighed[HAVE]) <= max(weighed[NOISE], weighed[ROUGH])

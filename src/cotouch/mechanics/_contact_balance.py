@@ -13,13 +13,14 @@ from cotouch.mechanics._balance import (
     LEAST,
     MOST,
     NOISE,
+    ROUGH,
     TARGET,
     go_back,
     keep_place,
     resting,
     weigh,
 )
-from cotouch.mechanics._balance_groups import LAST_OF_ALL
+from cotouch.mechanics._balance_groups import LAST_OF_ALL, resting_parts
 from cotouch.mechanics._balance_parts import close_all, judge, shorten, stretch
 from cotouch.mechanics._contact_press import press_tool, rub
 from cotouch.mechanics._contact_snap import draw_tool
@@ -129,8 +130,9 @@ def balanced(
         keep_place(state, work, lanes)
     least, greatest = (1.0 - _EASY, 1.0 + _EASY) if touches else (LEAST, MOST)
     held_back = held_back or most < 1.0
-    seeks, still = not held_back, False
-    scale, have, last, last_over, tries, halves, shrinks, shorter = most, 1.0, 0.0, 0.0, 0, 0, _ROUNDING, 0
+    seeks, still, rounded, told = not held_back, False, True, False
+    scale, have, last, last_over, tries, halves, shrinks = most, 1.0, 0.0, 0.0, 0, 0, _ROUNDING
+    shorter = booked = 0
     pushed = touch.push[: op.mass.shape[0] if look else 0]
     while True:
         over, noise, lost = _over(law, surface, touch, tools, T, free, contact, inflow, force is None, scale)
@@ -163,13 +165,15 @@ def balanced(
                 lanes,
             )
             over, noise = op.copy_scale * over, op.copy_scale * weighed[NOISE]
+            rounded = abs(over) <= op.copy_scale * max(weighed[NOISE], weighed[ROUGH])
             fine = abs(over) <= noise or (least <= square <= greatest and (seeks or over < 0.0))
+            fine = fine or (rounded and square >= 0.0)  # forces and energy do not disagree
             fine = fine and not passed
             seeks = seeks and not passed
             if others:  # bodies that no tool touches
                 go_back(force, state, work, lanes)
                 shorten(force.parts, work.mean, 0.5 if shorter < LAST_ATTEMPT - 2 else 0.0, False, lanes)
-                shorter += 1
+                shorter, booked = shorter + 1, booked + (0 if resting_parts(force.parts) else 1)
                 continue
             if not (fine or passed or touches or still) and resting(weighed):  # the body stays, and its tools go on
                 still = True
@@ -191,7 +195,7 @@ def balanced(
         if not (seeks or begins_anew):
             if not (over < -noise or passed) or halves == _HALVES:
                 break
-            halves += 1
+            halves, told = halves + 1, told or not rounded
             shrinks = min(16.0 * shrinks, 0.5)
             scale = (1.0 - shrinks) * scale if halves < _HALVES else 0.0
         if force is not None:
@@ -226,9 +230,9 @@ def balanced(
             ledger,
             lanes,
         )
-        ledger[SHORTENED] = 0.0 if held_back else max(LEAST - scale, 0.0)
-        if shorter > 0:
-            ledger[SHORTENED] = 1.0 - 0.5**shorter
+        ledger[SHORTENED] = max(LEAST - scale, 0.0) if told and not held_back else 0.0
+        if booked > 0:
+            ledger[SHORTENED] = 1.0 - 0.5**booked
     return scale
 
 

@@ -247,9 +247,10 @@ def _of_material(
     if body.cut_count:
         cut, memory = memory + 1, memory + 1 + 2 * body.cut_count
         force = force._replace(law=cut_law(body, force.law, cut), cut=cut - 1)
+    op = _operator(ordered, copies, split)
     return Model(
         body=body,
-        operator=_operator(ordered, copies, split),
+        operator=op if cut < 0 else op._replace(taken=np.zeros_like(op.magnitude)),
         modes=None,
         inverse=None,
         order=order,

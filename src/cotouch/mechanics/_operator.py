@@ -40,6 +40,8 @@ class Operator(NamedTuple):
         magnitude: sum of the absolute values of each row of each family, (families, rows).
         split: rows before it have no entries among each other, nor have those from it on; 0 where no order of the rows
             makes it so.
+        taken: what was taken off each row of each family where the copy that steps was cut, (families, rows); or (0, 0)
+            of a body that cannot be cut.
     """
 
     copy_scale: float
@@ -56,6 +58,7 @@ class Operator(NamedTuple):
     drag: Float
     magnitude: Float
     split: int
+    taken: Float = np.zeros((0, 0))
 
 
 def rescaled(op: Operator, *, copy_scale: float, stiffness: float) -> Operator:
@@ -157,6 +160,16 @@ def multiply(op: Operator, matrix: int, diagonal: Float, field: Float, out: Floa
         store(out, i, result, lanes)
         form = form + own * result
     return total(form)
+
+
+@inner
+def taken_off(op: Operator, T: float, i: int) -> float:
+    """What the diagonal of `B + (T/2) K` has too much where the copy that steps was cut; at most 0."""
+    off = 0.0
+    for family in range(op.taken.shape[0]):
+        scale = at(op.mix, (DAMPING, family)) + 0.5 * T * at(op.mix, (STIFFNESS, family))
+        off += scale * at(op.taken, (family, i))
+    return off
 
 
 def halves(matrices: list[sp.csr_array]) -> tuple[Int | None, int]:

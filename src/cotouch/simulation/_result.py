@@ -262,8 +262,10 @@ def _attributes(prepared: Prepared, outcome: Outcome, ticks: int) -> dict[str, A
 
     ledger = outcome.record.ticks[:, :ticks]
     timing, scenario = prepared.schedule, prepared.scenario
-    # The energy in play: the most that was stored, supplied or dissipated at any time of the run.
-    in_play, residual = _largest(ledger[:4]), _largest(ledger[4])
+    # The energy in play: the most that was stored, supplied or dissipated at any time of the run; or in motion, as what
+    # falls freely stores as little as before.
+    moving = np.nanmax(outcome.record.users[USER_LEDGER.index("kinetic")], axis=1, initial=0.0)
+    in_play, residual = max(_largest(ledger[:4]), float(moving.sum())), _largest(ledger[4])
     finished = outcome.events == timing.order.size
     return {
         "title": scenario.title or "cotouch run",
