@@ -144,7 +144,7 @@ class TestFaces:
         assert np.count_nonzero(halved) < np.count_nonzero(whole)
         beside = sp.csr_array((whole[0] - halved[0], op.column, op.pointer), shape=(op.mass.size, op.mass.size))
         assert taken[0] == pytest.approx(beside.sum(axis=1), rel=1e-12)
-        begin_cut(what, None, other, None)
+        begin_cut(cutting(first), None, other, None)  # as another peer of the process has it
         assert np.array_equal(op.entries, whole)
         assert not op.taken.any()
         begin_cut(what, None, first.state, None)

@@ -9,6 +9,7 @@ from cotouch.mechanics._balance import (
     AT_WORLD,
     ENERGY,
     GRAIN,
+    HARDLY,
     HAVE,
     LAST_ATTEMPT,
     LAW,
@@ -16,6 +17,7 @@ from cotouch.mechanics._balance import (
     LEFT,
     MOST,
     MOTION,
+    MUCH,
     NOISE,
     OUTSIDE,
     RIGID,
@@ -33,9 +35,6 @@ from cotouch.mechanics._vector import at, put
 # what it lacks, and whether its group is not closed: 1, or `STILL` where it moves by nothing but rounding.
 MASS, MOMENTUM, MOVING, LACKS, ABOUT, FLOW, FACTOR, CENTRE, SHARES, OPEN = 0, 1, 4, 5, 6, 7, 8, 9, 12, 13
 STILL = 2.0
-# Who has less than this share of its energy about its own centre, and would be changed by more than that if it made up
-# for what it lacks by itself, shares it with those that touch it, if all of them are changed by less then.
-_HARDLY, _MUCH = 1e-4, 1e-3
 # An attempt that is the last in any case: who passed another has done so.
 LAST_OF_ALL = LAST_ATTEMPT + 1
 
@@ -125,12 +124,12 @@ def decide(parts: Parts | None, weighed: Float, attempt: int, others: bool) -> t
             if own and abs(lacks) > rounded:
                 beside = abs(math.sqrt(square) - 1.0)
                 alone = max(alone, beside)
-                hardly = hardly or (beside > _MUCH and about <= _HARDLY * at(parts.sums, (b, MOVING)))
+                hardly = hardly or (beside > MUCH and about <= HARDLY * at(parts.sums, (b, MOVING)))
         square, whole, lacks, mass, x, y, z = _sum(parts, group, True)
         closed = mass == 0.0 or abs(lacks) <= noise
         if mass == 0.0 and hardly:
             square, whole, lacks, mass, x, y, z = _sum(parts, group, False)
-            if abs(square - 1.0) <= _MUCH:
+            if abs(square - 1.0) <= MUCH:
                 _scale(parts, group, False, square, x, y, z)
                 alone = 0.0
             else:

@@ -20,19 +20,18 @@ from cotouch.passing import by_address
 
 @by_address
 class Bonds(NamedTuple):
-    """Where the ties of each face are in the operator that all copies share; it is that of the copy that steps.
+    """Where the ties of each face are in the operator that all copies of a process share.
 
     Attributes:
         place: of each face's ties, those of the one side and then of the other, in the operator's entries, (E, 8); -1
             where there are fewer. (0, 8) of a body without faces.
         row: rows of these entries, likewise.
         family: whether a family holds springs or dampers, (families,).
-        whole: the entries of the body as it was made, (families, entries).
-        entries: those of the operator, likewise; changed in place.
-        taken: of the operator, (families, rows); changed in place.
-        pointer: of the operator.
-        gone: whether a face's ties are out of the entries, (E,).
-        many: how many are, (1,).
+        whole: of the operator, like the four that follow.
+        entries: changed in place.
+        taken: likewise.
+        gone: likewise.
+        pointer: of rows among the entries.
     """
 
     place: Int
@@ -41,9 +40,8 @@ class Bonds(NamedTuple):
     whole: Float
     entries: Float
     taken: Float
-    pointer: Int
     gone: Int
-    many: Int
+    pointer: Int
 
 
 def bonds_of(op: Operator, tied: Int) -> Bonds:
@@ -69,12 +67,11 @@ def bonds_of(op: Operator, tied: Int) -> Bonds:
         place=place,
         row=row,
         family=(inside & ~outside).astype(np.int32),
-        whole=op.entries.copy() if count else np.zeros((0, 0)),
+        whole=op.whole,
         entries=op.entries,
         taken=op.taken,
+        gone=op.gone,
         pointer=op.pointer,
-        gone=np.zeros(count, dtype=np.int32),
-        many=np.zeros(1, dtype=np.int32),
     )
 
 
@@ -87,11 +84,11 @@ def loosen(bonds: Bonds, memory: Float, first: int) -> None:
         memory: of the copy that steps next.
         first: where its marks begin, behind their number.
     """
-    many = int(at(memory, first - 1))
-    if many == 0 and bonds.many[0] == 0:
+    count, many = bonds.place.shape[0], int(at(memory, first - 1))
+    if count == 0 or (many == 0 and bonds.gone[count] == 0):
         return
-    bonds.many[0] = many
-    for e in range(bonds.gone.shape[0]):
+    bonds.gone[count] = many
+    for e in range(count):
         gone = 1 if at(memory, first + e) != 0.0 else 0
         if gone == at(bonds.gone, e):
             continue

@@ -15,7 +15,7 @@ IDENTITY = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 # A solve is trusted down to this determinant beside the cube of the matrix's size.
 _FLAT = 1e-12
 # Sweeps that a step takes at most, and squares of the angles after which the next is left out.
-_STEP, _LITTLE, _NOTHING = 2, 2.5e-5, 1e-24
+_STEP, _LITTLE, _LATER, _NOTHING = 4, 2.5e-5, 1e-10, 1e-24
 
 
 @inner
@@ -187,11 +187,13 @@ def turned(r: Matrix, s: Matrix) -> tuple[Matrix, float]:
 def nearest(r: Matrix, s: Matrix, sweeps: int) -> Matrix:
     """The rotation that maximises `tr RᵀS`, found from another in at most so many sweeps.
 
-    What a sweep leaves is of the order of the square of what it turned by, times the strain. Where a step takes two,
-    the second is left out where the first hardly turned; a search from nowhere goes on until nothing is left.
+    What a sweep leaves is of the order of the square of what it turned by, times the strain. In a step the second is
+    left out where the first hardly turned, and more than two are for what is flung about; a search from nowhere goes on
+    until nothing is left.
     """
-    for _ in range(sweeps):
+    for sweep in range(sweeps):
         r, square = turned(r, s)
-        if total(square) <= (_LITTLE if sweeps <= _STEP else _NOTHING):
+        enough = _LITTLE if sweep == 0 else _LATER
+        if total(square) <= (enough if sweeps <= _STEP else _NOTHING):
             break
     return r

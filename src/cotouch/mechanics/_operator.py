@@ -42,6 +42,8 @@ class Operator(NamedTuple):
             makes it so.
         taken: what was taken off each row of each family where the copy that steps was cut, (families, rows); or (0, 0)
             of a body that cannot be cut.
+        whole: `entries` of that body as it was made, likewise.
+        gone: for each of its elements whether it is out of the entries, and how many were cut, (elements + 1,).
     """
 
     copy_scale: float
@@ -59,6 +61,19 @@ class Operator(NamedTuple):
     magnitude: Float
     split: int
     taken: Float = np.zeros((0, 0))
+    whole: Float = np.zeros((0, 0))
+    gone: Int = np.zeros(0, dtype=np.int32)
+
+
+def cuttable(op: Operator, elements: int) -> Operator:
+    """The operator of a body that can be cut; all copies in a process share what of it is out.
+
+    Args:
+        op: of the body, whole.
+        elements: how many can be cut.
+    """
+    out, taken = np.zeros(elements + 1, dtype=np.int32), np.zeros_like(op.magnitude)
+    return op._replace(taken=taken, whole=op.entries.copy(), gone=out)
 
 
 def rescaled(op: Operator, *, copy_scale: float, stiffness: float) -> Operator:
