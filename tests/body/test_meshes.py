@@ -481,6 +481,22 @@ def test_shells_that_touch_do_not_overlap():
         assert not any("overlap" in note for note in body.origin.notes)
 
 
+def test_a_node_pulled_through_its_neighbours_is_refused():
+    """The elements around it were turned inside out; turned round they would lie in others, and the skin is whole."""
+    points, elements = block((3, 3, 3), (1.0, 1.0, 1.0))
+    middle = int(np.argmin(np.abs(points - points.mean(axis=0) - 0.01).sum(axis=1)))
+    for move, right in ((0.1, True), (0.45, False)):
+        moved = points.copy()
+        moved[middle] += move
+        if right:
+            assert body_from_tetrahedra((moved, elements), unit="m").nodes == len(points)
+        else:
+            with pytest.raises(
+                BodyError, match=r"tetrahedra of arrays overlap in \d\S* % of their volume; every place"
+            ):
+                body_from_tetrahedra((moved, elements), unit="m")
+
+
 def test_tetrahedra_that_overlap_are_refused():
     """A mesh that is folded over itself: two blocks that share a corner, one half inside the other."""
     points, elements = block((2, 2, 2), (1.0, 1.0, 1.0))

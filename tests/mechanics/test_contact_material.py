@@ -5,7 +5,7 @@ import pytest
 from tests.mechanics.materials import EVERY, SPACING, made, rotation
 from tests.mechanics.pressing import Pressed, plate, slab
 
-from cotouch.mechanics import BETA, KINETIC, TOUCH_LOSS, Stiffening, press
+from cotouch.mechanics import BETA, CLOSURE_ALARM, KINETIC, SHORTENED, TOUCH_LOSS, Stiffening, press
 
 STEPS = 120
 
@@ -72,9 +72,12 @@ def test_what_is_pressed_at_rest_closes() -> None:
         copy.step(2e-3)
     force, depth, lost = copy.force[2], copy.tools.place[0, 2], copy.lost
     assert force > 0.1
+    told = 0
     for _ in range(10_000):
         copy.lead(place, place)
         copy.step(2e-3)
+        told += int(copy.ledger[SHORTENED] > 0.0 or copy.ledger[BETA] > CLOSURE_ALARM)
+    assert told == 0
     assert abs(copy.force[2] - force) <= 1e-3 * force
     assert abs(copy.tools.place[0, 2] - depth) <= 1e-3 * 0.005
     assert copy.lost - lost <= 1e-3 * copy.energy

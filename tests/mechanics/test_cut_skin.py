@@ -5,10 +5,12 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 import pytest
+import scipy.sparse as sp
 from tests.mechanics.materials import Alone, bent, made
 
 from cotouch.body import Body, Placed, together, with_faces
 from cotouch.mechanics import (
+    BETA,
     CUT,
     WORLD_STORED,
     Between,
@@ -17,6 +19,7 @@ from cotouch.mechanics import (
     Obstacle,
     Plane,
     Solid,
+    State,
     begin_cut,
     cutting_of,
     decide_cuts,
@@ -108,6 +111,45 @@ class TestFaces:
                 assert np.abs(copy.position - 0.02 * speed).max() < 1e-11
             else:  # one face holds them
                 assert np.abs(copy.velocity - speed).max() > 0.1
+
+    def test_what_one_half_does_the_other_does_not_feel(self) -> None:
+        """One half is stretched and rings, the other rests: neither forces nor the matrix of directions join them."""
+        body = with_faces(made("cells", viscosity=1e-3, shape=(5, 3, 3)).with_cutting())
+        material = body.material
+        assert material is not None
+        half = middles(body)[:, 0] > 0.02
+        right = np.isin(np.arange(body.nodes), material.elements[half])
+        stretched = np.where(right[:, None], 0.1 * (body.rest - body.rest[right].mean(axis=0)), 0.0)
+        copy = Alone(body, stretched)
+        begun = copy.energy
+        what, factor = cutting(copy), 0.0
+        cut(copy, what, np.flatnonzero(half[material.sides[:, 0]] != half[material.sides[:, 1]]))
+        for _ in range(50):
+            begin_cut(what, None, copy.state, None)
+            factor = max(factor, float(copy.step(1e-3)[BETA]))
+        assert factor < 1e-3
+        # A coarse solve leaves some of each half's momentum; only that of both is put right.
+        assert np.abs(copy.position[~right]).max() < 1e-3 * np.abs(copy.position[right] - stretched[right]).max()
+        assert copy.energy < 0.9 * begun  # it rang
+
+    def test_copies_that_share_a_matrix_each_have_it_as_they_were_cut(self) -> None:
+        body = with_faces(made("corotated", viscosity=1e-3).with_cutting())
+        first = Alone(body, bent(body, 0.3))
+        what, op, memory = cutting(first), first.model.operator, first.state.memory
+        whole, rng = op.entries.copy(), np.random.default_rng(3)
+        other = State(*(np.zeros_like(first.state.position) for _ in range(4)), memory.copy())
+        cut(first, what, rng.choice(body.cut_count, body.cut_count // 2, replace=False))
+        begin_cut(what, None, first.state, None)
+        halved, taken = op.entries.copy(), op.taken.copy()
+        assert np.count_nonzero(halved) < np.count_nonzero(whole)
+        beside = sp.csr_array((whole[0] - halved[0], op.column, op.pointer), shape=(op.mass.size, op.mass.size))
+        assert taken[0] == pytest.approx(beside.sum(axis=1), rel=1e-12)
+        begin_cut(cutting(first), None, other, None)  # as another peer of the process has it
+        assert np.array_equal(op.entries, whole)
+        assert not op.taken.any()
+        begin_cut(what, None, first.state, None)
+        assert np.array_equal(op.entries, halved)
+        assert np.array_equal(op.taken, taken)
 
     def test_a_blade_opens_what_it_goes_between_and_a_pull_what_bears_less(self) -> None:
         """Stretched by 4 % along x: E times that across each face of that direction, nothing across the others."""

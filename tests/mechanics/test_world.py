@@ -3,15 +3,17 @@
 import numpy as np
 import numpy.typing as npt
 import pytest
-from tests.mechanics.materials import Alone
+from tests.mechanics.materials import Alone, boxes
 
-from cotouch.body import Body, GridModel, chain, lattice
+from cotouch.body import Body, GridModel, body_from_tetrahedra, chain, lattice
 from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics import (
     BETA,
     BODY_LOSS,
+    CLOSURE,
     CLOSURE_ALARM,
     EXTRA_LOSS,
+    KINETIC,
     LOCAL_LOSS,
     SHORTENED,
     WORLD_FORCE,
@@ -117,6 +119,23 @@ def test_friction_holds_to_a_thousandth_of_its_cone(shape: Plane | Box) -> None:
     assert sliding(block, np.arctan(0.5 * 1.001)) == pytest.approx(0.5, rel=1e-3)
     assert block.beta <= CLOSURE_ALARM
     block.check_ledger()
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.4])
+def test_what_slides_as_a_whole_is_not_closed_by_what_it_hardly_does_within(friction: float) -> None:
+    """Dampers took nearly all motion about the centre; what forces of the ground are off by is much beside that."""
+    points, corners = boxes((3, 3, 3), 0.02)
+    points[13] += [0.004, -0.003, 0.002]  # no two elements alike
+    body = body_from_tetrahedra(
+        (points, corners), unit="m", model="corotated", young=5e4, density=800.0, rayleigh_stiffness=2e-3
+    )
+    slope = np.arctan(0.44)
+    heavy = body.with_gravity((G * np.sin(slope), 0.0, -G * np.cos(slope)))
+    ground = Obstacle(shape=Plane(), stiffness=1e7, loss=5.0, friction=friction)
+    copy = Alone(heavy, obstacles=[ground])
+    factors = [float(copy.step(1e-3)[BETA]) for _ in range(1000)]
+    assert max(factors[200:]) <= 1e-3
+    assert abs(copy.ledger[CLOSURE]) <= 1e-6 * copy.ledger[KINETIC]
 
 
 def test_what_comes_in_within_a_step_is_pushed_in_that_step() -> None:

@@ -240,6 +240,14 @@ def test_what_it_does_not_touch_does_not_notice() -> None:
     assert met.attrs["energy_residual"] <= 1e-12
 
 
+def test_what_rests_beside_a_tool_that_moves_is_not_told_as_shortened() -> None:
+    """The die has come to rest; the bar goes to and fro in the air above it."""
+    path = [[0, 0, 0, 0], [0.6, 0, 0, 0.0], [0.8, 0.03, 0.01, 0.02], [1.0, 0, 0, 0]]
+    tool = {"at": [0, 0, 0.1], "hand": {"path": path, "stiffness": 300, "damping": 6}}
+    run = simulate(scene(tool, steps={"duration": 1.0}))
+    assert run["closure_alarms"].values[0, -1] == 0
+
+
 def test_how_many_users_there_are_is_asked_anew() -> None:
     """A tool's mass among the bodies is as many times what it is, as there are copies."""
     pair = scene({"at": [0.2, 0, 0.3]})

@@ -37,6 +37,15 @@ def test_two_hands_lift_a_block_off_a_table(lift: Any) -> None:
     assert (np.diff(lift["world_loss"].values, axis=1) >= 0.0).all()
 
 
+def test_what_falls_freely_has_its_motion_in_play() -> None:
+    """Weight gives just what motion has, so nothing is stored; rounding is beside that motion."""
+    alone = {"users": ["Ann"], "spring": [[0]], "delay": [[0]]}
+    run = simulate({"network": alone, "body": BLOCK, "world": {"gravity": [3, 0, -9.81]}, "steps": {"duration": 0.5}})
+    moving = 0.5 * 0.3 * (3.0**2 + 9.81**2) * 0.5**2
+    assert run.attrs["energy_in_play"] == pytest.approx(moving, rel=1e-9)
+    assert run.attrs["energy_residual"] <= 1e-13
+
+
 def falling() -> Scenario:
     return Scenario.make(body=BLOCK, network=PAIR, world={**PLANE, "gravity": [1, 0, -9]}, steps={"duration": 0.1})
 

@@ -137,7 +137,9 @@ def body_from_tetrahedra(
     volumes = volumes_of(rest, elements)
     volume = float(volumes.sum())
     skin = boundary_of(rest, elements)
-    twice = doubled(skin.vertices, skin.triangles.astype(np.int64))
+    # Of what is folded within, more is counted than the skin encloses.
+    within = float(np.linalg.det(skin.vertices[skin.triangles]).sum()) / 6.0
+    twice = max(doubled(skin.vertices, skin.triangles.astype(np.int64)), volume - within)
     if twice > _OVERLAP * volume:
         raise BodyError(
             f"tetrahedra of {name} overlap in {100.0 * twice / volume:.2g} % of their volume; every place must be in "

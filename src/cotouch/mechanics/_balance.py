@@ -36,6 +36,9 @@ LEAST, MOST = 0.8, 1.25
 LAST_ATTEMPT = 20
 # A difference below this share of the energies that made it is their rounding.
 _ROUNDING = 4e-15
+# Who has less than the first share of its energy about its own centre, and would be changed by more than the second if
+# it made up for what it lacks by itself, does so as a whole where it meets an obstacle, or with those that touch it.
+HARDLY, MUCH = 1e-4, 1e-3
 # Below this share of the kinetic energy, motion about the centre of mass is too little to balance anything with.
 RIGID = 1e-9
 
@@ -179,12 +182,15 @@ def next_length(length: float, least: float, greatest: float) -> float:
 def square_of(weighed: Float, rest: bool) -> tuple[float, bool]:
     """β² that closes the step that was weighed, and whether it acts about the centre of mass.
 
-    It acts about rest where nothing moves about the centre, and, if it may, where it would not do about the centre.
+    It acts about rest where nothing moves about the centre, and, if it may, where it would not do about the centre; and
+    where what meets an obstacle slides as a whole, hardly moving about its centre: that takes momentum anyway.
     """
     target, kinetic, about = weighed[TARGET], weighed[HAVE], weighed[ABOUT]
     square, still = -1.0, about <= RIGID * kinetic
     if not still:
         square = 1.0 + (target - kinetic) / about
+        if weighed[OUTSIDE] > 0.0 and about <= HARDLY * kinetic and not abs(square - 1.0) <= MUCH:
+            still = abs(target - kinetic) <= MUCH * kinetic
     if kinetic > 0.0 and (still or (rest and not LEAST <= square <= MOST)):
         whole = target / kinetic
         if still or LEAST <= whole <= MOST:

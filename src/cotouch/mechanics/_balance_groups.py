@@ -9,6 +9,7 @@ from cotouch.mechanics._balance import (
     AT_WORLD,
     ENERGY,
     GRAIN,
+    HARDLY,
     HAVE,
     LAST_ATTEMPT,
     LAW,
@@ -16,6 +17,7 @@ from cotouch.mechanics._balance import (
     LEFT,
     MOST,
     MOTION,
+    MUCH,
     NOISE,
     OUTSIDE,
     RIGID,
@@ -31,13 +33,11 @@ from cotouch.mechanics._vector import at, put
 
 # Numbers of each body: mass, momentum, kinetic energy, what it lacks, what of its energy is about its centre, how much
 # energy went to and fro; the factor on its velocity, the velocity about which that acts; whether it shares with others
-# what it lacks, and by which factor it goes further in the next attempt, 0: its group is closed. What attempts keep:
-# how far it went, and how far was too little and too much.
+# what it lacks, and by which factor it goes further in the next attempt, 0: its group is closed, `STILL`: it moves by
+# nothing but rounding. What attempts keep: how far it went, and how far was too little and too much.
 MASS, MOMENTUM, MOVING, LACKS, ABOUT, FLOW, FACTOR, CENTRE, SHARES, OPEN = 0, 1, 4, 5, 6, 7, 8, 9, 12, 13
 LENGTH, TOO_LITTLE, TOO_MUCH = 14, 15, 16
-# Who has less than this share of its energy about its own centre, and would be changed by more than that if it made up
-# for what it lacks by itself, shares it with those that touch it, if all of them are changed by less then.
-_HARDLY, _MUCH = 1e-4, 1e-3
+STILL = -1.0
 # An attempt that is the last in any case: who passed another has done so.
 LAST_OF_ALL = LAST_ATTEMPT + 1
 # Where a group stays at last, those beside it may need as many attempts to go on without it.
@@ -129,12 +129,12 @@ def decide(parts: Parts | None, weighed: Float, attempt: int, others: bool) -> t
             if own and abs(lacks) > rounded:
                 beside = abs(math.sqrt(square) - 1.0)
                 alone = max(alone, beside)
-                hardly = hardly or (beside > _MUCH and about <= _HARDLY * at(parts.sums, (b, MOVING)))
+                hardly = hardly or (beside > MUCH and about <= HARDLY * at(parts.sums, (b, MOVING)))
         square, whole, lacks, mass, x, y, z = _sum(parts, group, True)
         closed = mass == 0.0 or abs(lacks) <= noise
         if mass == 0.0 and hardly:
             square, whole, lacks, mass, x, y, z = _sum(parts, group, False)
-            if abs(square - 1.0) <= _MUCH:
+            if abs(square - 1.0) <= MUCH:
                 _scale(parts, group, False, square, x, y, z)
                 alone = 0.0
             else:
@@ -156,9 +156,12 @@ def decide(parts: Parts | None, weighed: Float, attempt: int, others: bool) -> t
             worst = max(worst, abs(math.sqrt(square) - 1.0))
         if not closed or (passed and attempt < LAST_OF_ALL):
             good = False
+            still = not passed and _rests(parts, group, rounded)
             far = passed or not (whole if square == -math.inf else square) > MOST
             for b in range(parts.held.shape[0]):
-                if at(parts.met.group, b) == group:
+                if at(parts.met.group, b) == group and still:
+                    put(parts.sums, (b, OPEN), STILL)
+                elif at(parts.met.group, b) == group:
                     _go_on(parts, b, far)
     return good, worst
 
@@ -181,6 +184,27 @@ def start_attempts(parts: Parts | None) -> None:
             put(parts.sums, (b, LENGTH), 1.0)
             put(parts.sums, (b, TOO_LITTLE), 0.0)
             put(parts.sums, (b, TOO_MUCH), math.inf)
+
+
+@inner
+def _rests(parts: Parts, group: int, rounded: float) -> bool:
+    """Whether a group moves by nothing but rounding."""
+    lacks = _sum(parts, group, False)[2]
+    have = 0.0
+    for b in range(parts.held.shape[0]):
+        if at(parts.met.group, b) == group:
+            have += at(parts.sums, (b, MOVING))
+    return have <= rounded and abs(lacks) <= rounded
+
+
+@part
+def resting_parts(parts: Parts | None) -> bool:
+    """Whether all groups that were not closed move by nothing but rounding."""
+    rests = parts is not None
+    if parts is not None:
+        for b in range(parts.held.shape[0]):
+            rests = rests and at(parts.sums, (b, OPEN)) <= 0.0
+    return rests
 
 
 @part

@@ -19,6 +19,7 @@ from cotouch.mechanics._balance_groups import (
     MOMENTUM,
     MOVING,
     OPEN,
+    STILL,
     decide,
     held_together,
     scale_parts,
@@ -178,19 +179,21 @@ def stretch(parts: Parts | None, mean: Float, factor: float, lanes: tuple[int, .
 def set_length(parts: Parts | None, mean: Float, factor: float, everything: bool, lanes: tuple[int, ...]) -> bool:
     """Scales how far a body goes; of several those whose groups are not closed, each as `decide` says, or everything.
 
+    Who rests stays, which is no shorter way.
+
     Returns:
         Whether any of it had gone anywhere.
     """
     gone = False
     if parts is not None:
         for b in range(parts.held.shape[0]):
-            if factor == 0.0 and (everything or at(parts.sums, (b, OPEN)) != 0.0):
+            if factor == 0.0 and (everything or at(parts.sums, (b, OPEN)) > 0.0):
                 put(parts.sums, (b, LENGTH), 0.0)
     for i in range(mean.shape[0]):
         goes = factor
         if parts is not None and not everything:
             asked = at(parts.sums, (at(parts.part, i), OPEN))
-            goes = factor * asked if asked != 0.0 else 1.0
+            goes = 0.0 if asked == STILL else factor * asked if asked != 0.0 else 1.0
         if goes != 1.0:
             rate = load(mean, i, lanes)
             gone = gone or total(rate * rate) != 0.0

@@ -27,7 +27,7 @@ from cotouch.mechanics._balance import (
     square_of,
     weigh,
 )
-from cotouch.mechanics._balance_groups import OTHERS, start_attempts
+from cotouch.mechanics._balance_groups import OTHERS, resting_parts, start_attempts
 from cotouch.mechanics._balance_parts import close_all, free_parts, keep_parts, set_length, shortest
 from cotouch.mechanics._direction import direct, level, predict
 from cotouch.mechanics._force import BodyForce, evaluate
@@ -160,7 +160,7 @@ def closed_step(
         ):
             break
         go_back(force, state, work, lanes)
-        still = not passed and resting(work.weighed)
+        still = (not passed and resting(work.weighed)) or resting_parts(force.parts)
         if alone:
             square, _ = square_of(work.weighed, attempt > 0)
         # Forces where a bold step led may send the next one astray; those where it begins do not, once it is short.
@@ -194,10 +194,11 @@ def closed_step(
             if alone and not stays:
                 least, greatest = (least, length) if passed or not square > MOST else (length, greatest)
                 goes = next_length(length, least, greatest) / length
-            length = 0.0 if stays else goes * length
+            length = length if still else 0.0 if stays else goes * length
             if not set_length(force.parts, work.mean, 0.0 if stays else goes, attempt >= LAST_ATTEMPT - 1, lanes):
                 # Nothing that goes less far would be any different.
-                length, refused, attempt = 0.0, refused or not still, max(attempt, LAST_ATTEMPT - 1)
+                refused, attempt = refused or not still, max(attempt, LAST_ATTEMPT - 1)
+                length = length if still else 0.0
         attempt += 1
     weighed = work.weighed
     rounded = abs(weighed[TARGET] - weighed[HAVE]) <= max(weighed[NOISE], weighed[ROUGH])

@@ -13,6 +13,7 @@ from cotouch.mechanics._balance import (
     LEAST,
     MOST,
     NOISE,
+    ROUGH,
     TARGET,
     go_back,
     keep_place,
@@ -130,8 +131,9 @@ def balanced(
         start_attempts(force.parts)
     least, greatest = (1.0 - _EASY, 1.0 + _EASY) if touches else (LEAST, MOST)
     held_back = held_back or most < 1.0
-    seeks, still = not held_back, False
-    scale, have, last, last_over, tries, halves, shrinks, shorter = most, 1.0, 0.0, 0.0, 0, 0, _ROUNDING, 0
+    seeks, still, rounded, told = not held_back, False, True, False
+    scale, have, last, last_over, tries, halves, shrinks = most, 1.0, 0.0, 0.0, 0, 0, _ROUNDING
+    shorter = 0
     pushed = touch.push[: op.mass.shape[0] if look else 0]
     while True:
         over, noise, lost = _over(law, surface, touch, tools, T, free, contact, inflow, force is None, scale)
@@ -164,7 +166,9 @@ def balanced(
                 lanes,
             )
             over, noise = op.copy_scale * over, op.copy_scale * weighed[NOISE]
+            rounded = abs(over) <= op.copy_scale * max(weighed[NOISE], weighed[ROUGH])
             fine = abs(over) <= noise or (least <= square <= greatest and (seeks or over < 0.0))
+            fine = fine or (rounded and square >= 0.0)  # forces and energy do not disagree
             fine = fine and not passed
             seeks = seeks and not passed
             if others:  # bodies that no tool touches
@@ -192,7 +196,7 @@ def balanced(
         if not (seeks or begins_anew):
             if not (over < -noise or passed) or halves == _HALVES:
                 break
-            halves += 1
+            halves, told = halves + 1, told or not rounded
             shrinks = min(16.0 * shrinks, 0.5)
             scale = (1.0 - shrinks) * scale if halves < _HALVES else 0.0
         if force is not None:
@@ -227,9 +231,9 @@ def balanced(
             ledger,
             lanes,
         )
-        ledger[SHORTENED] = 0.0 if held_back else max(LEAST - scale, 0.0)
+        ledger[SHORTENED] = max(LEAST - scale, 0.0) if told and not held_back else 0.0
         if shorter > 0:
-            ledger[SHORTENED] = max(1.0 - shortest(force.parts, 1.0), 0.0)
+            ledger[SHORTENED] = max(1.0 - shortest(force.parts, 1.0), ledger[SHORTENED])
     return scale
 
 

@@ -15,6 +15,7 @@ from cotouch.mechanics._balance import AT_WORLD, ENERGY
 from cotouch.mechanics._balance_parts import keep_parts
 from cotouch.mechanics._breaking import principal_stress
 from cotouch.mechanics._crossing import crosses
+from cotouch.mechanics._cut_matrix import Bonds, loosen
 from cotouch.mechanics._force import BodyForce, evaluate
 from cotouch.mechanics._kernel import block, inner, part
 from cotouch.mechanics._operator import Operator
@@ -64,6 +65,7 @@ class Cutting(NamedTuple):
         beyond: and while this one is cut; negative: none, (F,).
         across: way through an element [m].
         wanted: scratch: the user who has just decided to cut each, from 1; 0: nobody, (E,).
+        bonds: what of the operator goes with them.
         before: scratch: displacements before the step, (rows, width) [m].
         blade: scratch: places of the tools before it, (tools, 4) [m].
         spot: scratch: an element's corners, then the ends of a blade before and after, (8 + 4, 4) [m].
@@ -94,6 +96,7 @@ class Cutting(NamedTuple):
     beyond: Int
     across: float
     wanted: Int
+    bonds: Bonds
     before: Float
     blade: Float
     spot: Float
@@ -110,6 +113,7 @@ def begin_cut(cutting: Cutting, world: World | None, state: State, tools: Tools 
         tools: its tools; None: none.
     """
     show_skin(cutting, world, state.memory)
+    loosen(cutting.bonds, state.memory, cutting.first)
     for e in range(cutting.wanted.shape[0]):
         cutting.wanted[e] = 0
     for i in range(cutting.before.shape[0]):

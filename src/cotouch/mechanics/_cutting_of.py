@@ -10,6 +10,7 @@ from cotouch.arrays import Float, Long
 from cotouch.body import FACES, Body, Material, cut_skin
 from cotouch.errors import UnsupportedError
 from cotouch.mechanics._breaking import SOLIDS
+from cotouch.mechanics._cut_matrix import bonds_of
 from cotouch.mechanics._cutting import KINDS, WIDEST, Cutting
 from cotouch.mechanics._materials import gradients_of, lame_of
 from cotouch.mechanics._model import Model
@@ -74,6 +75,7 @@ def cutting_of(model: Model, *, tools: int = 0, decides: Sequence[bool] = ()) ->
         beyond=nothing if faces is None else faces.beyond.astype(np.int32),
         across=across,
         wanted=np.zeros(found["area"].size, dtype=np.int32),
+        bonds=bonds_of(model.operator, tied),
         before=np.zeros((model.operator_rows, model.width)),
         blade=np.zeros((tools, 4)),
         spot=np.zeros((max(KINDS) + 4, 4)),

@@ -4,7 +4,7 @@ from cotouch.arrays import Float
 from cotouch.mechanics._force import BodyForce, lean, resist
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Parts
-from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, mixed, row_product
+from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, mixed, row_product, taken_off
 from cotouch.mechanics._solve import solve_step
 from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
 from cotouch.mechanics._step import assemble
@@ -74,6 +74,8 @@ def direct(
 def _outer(op: Operator, T: float, i: int, work: Workspace) -> float:
     """What stands on the diagonal of A without the springs and dampers within the body, whose force is known."""
     inside = at(op.damping, i) - at(op.drag, i) + 0.5 * T * (at(op.stiffness, i) - at(op.ground, i))
+    if op.taken.shape[0] > 0:
+        inside += taken_off(op, T, i)
     return at(work.diagonal, i) - op.copy_scale * inside
 
 

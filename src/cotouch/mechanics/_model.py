@@ -18,7 +18,7 @@ from cotouch.mechanics._force_together import Together, fresh_together
 from cotouch.mechanics._link_weight import fit_weight
 from cotouch.mechanics._materials import cut_law, force_of, outline_of
 from cotouch.mechanics._meeting import Between
-from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, halves, mixed
+from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, cuttable, halves, mixed
 from cotouch.mechanics._state import Workspace, workspace
 from cotouch.mechanics._tool_bodies import link_weights, rigid_rows
 from cotouch.mechanics._vector import WIDTHS
@@ -247,9 +247,10 @@ def _of_material(
     if body.cut_count:
         cut, memory = memory + 1, memory + 1 + 2 * body.cut_count
         force = force._replace(law=cut_law(body, force.law, cut), cut=cut - 1)
+    op = _operator(ordered, copies, split)
     return Model(
         body=body,
-        operator=_operator(ordered, copies, split),
+        operator=op if cut < 0 else cuttable(op, body.cut_count),
         modes=None,
         inverse=None,
         order=order,

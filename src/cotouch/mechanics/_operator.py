@@ -40,6 +40,10 @@ class Operator(NamedTuple):
         magnitude: sum of the absolute values of each row of each family, (families, rows).
         split: rows before it have no entries among each other, nor have those from it on; 0 where no order of the rows
             makes it so.
+        taken: what was taken off each row of each family where the copy that steps was cut, (families, rows); or (0, 0)
+            of a body that cannot be cut.
+        whole: `entries` of that body as it was made, likewise.
+        gone: for each of its elements whether it is out of the entries, and how many were cut, (elements + 1,).
     """
 
     copy_scale: float
@@ -56,6 +60,20 @@ class Operator(NamedTuple):
     drag: Float
     magnitude: Float
     split: int
+    taken: Float = np.zeros((0, 0))
+    whole: Float = np.zeros((0, 0))
+    gone: Int = np.zeros(0, dtype=np.int32)
+
+
+def cuttable(op: Operator, elements: int) -> Operator:
+    """The operator of a body that can be cut; all copies in a process share what of it is out.
+
+    Args:
+        op: of the body, whole.
+        elements: how many can be cut.
+    """
+    out, taken = np.zeros(elements + 1, dtype=np.int32), np.zeros_like(op.magnitude)
+    return op._replace(taken=taken, whole=op.entries.copy(), gone=out)
 
 
 def rescaled(op: Operator, *, copy_scale: float, stiffness: float) -> Operator:
@@ -157,6 +175,16 @@ def multiply(op: Operator, matrix: int, diagonal: Float, field: Float, out: Floa
         store(out, i, result, lanes)
         form = form + own * result
     return total(form)
+
+
+@inner
+def taken_off(op: Operator, T: float, i: int) -> float:
+    """What the diagonal of `B + (T/2) K` has too much where the copy that steps was cut; at most 0."""
+    off = 0.0
+    for family in range(op.taken.shape[0]):
+        scale = at(op.mix, (DAMPING, family)) + 0.5 * T * at(op.mix, (STIFFNESS, family))
+        off += scale * at(op.taken, (family, i))
+    return off
 
 
 def halves(matrices: list[sp.csr_array]) -> tuple[Int | None, int]:

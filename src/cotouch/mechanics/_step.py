@@ -15,6 +15,7 @@ from cotouch.mechanics._operator import (
     multiply,
     pull,
     row_product,
+    taken_off,
 )
 from cotouch.mechanics._solve import solve_step
 from cotouch.mechanics._state import (
@@ -120,6 +121,8 @@ def assemble(
                 + op.copy_scale * at(op.damping, i)
                 + (half * op.copy_scale) * at(op.stiffness, i)
             )
+            if op.taken.shape[0] > 0:
+                own += op.copy_scale * taken_off(op, T, i)
             work.diagonal[i] = own
             impulse = load(state.momentum, i, lanes) if heavy else at(op.mass, i) * load(state.velocity, i, lanes)
             store(work.rhs, i, inertia * impulse - op.copy_scale * load(state.tension, i, lanes), lanes)

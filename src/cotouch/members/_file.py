@@ -70,8 +70,8 @@ class SessionTable(Table):
         max_displacement: greatest displacement of any node along an axis; what is farther is neither sent nor taken
             [m].
         send_rate: highest rate of samples on each link [1/s]; by default the sender's own.
-        emulate: apply the delays of `[network]` and the impairments of `[channel]`, or its trace, to every path, to try them on one
-            machine.
+        emulate: apply the delays of `[network]` and the impairments of `[channel]`, or its trace, to every path, to try
+            them on one machine.
         per_address: slots that one address may take, this machine aside; by default half of them, rounded up.
         devices: how the devices in people's hands are coupled.
     """

@@ -29,7 +29,7 @@ class Totals:
         rescaled: what the copy's energy changed by as members came and went [J].
         energy: after the last step [J].
         depth: how far it was below 0 at most, as a body falls below where it began [J].
-        in_play: the most that was stored, supplied, lost or exchanged [J].
+        in_play: the most that was stored, in motion, supplied, lost or exchanged [J].
         residual: greatest of any step, of the energy in play then.
         total_residual: sum of all steps' residuals [J].
         alarms: steps whose residual is too large to be round-off.
@@ -88,9 +88,9 @@ class Totals:
         self.advanced += report.advanced
         self.energy = energy
         self.depth = max(self.depth, -energy)
-        # A falling copy gains as much kinetic energy as its weight loses: the sum says nothing of what is at stake.
-        sums = abs(self.energy), -report.elastic, abs(self.supplied), self.lost, self._exchanged
-        self.in_play = max(self.in_play, *sums)
+        # What falls freely has as much motion as its weight gave, and no energy in all.
+        held = max(report.kinetic + report.proxy, abs(report.elastic), abs(energy))
+        self.in_play = max(self.in_play, held, abs(self.supplied), self.lost, self._exchanged)
         self.total_residual += report.residual
         fraction = abs(report.residual) / self.in_play
         self.residual = max(self.residual, fraction)
