@@ -13,7 +13,9 @@ from cotouch.body import lattice, point
 from cotouch.errors import RecordingError
 from cotouch.peer import LinkState, Peer, Sample, StepReport
 from cotouch.recording import Audit, audit, read_recording
+from cotouch.recording._findings import findings_of
 from cotouch.recording._links import align
+from cotouch.recording._motion import motions
 from cotouch.scenario import Scenario
 from cotouch.simulation import prepare
 
@@ -222,6 +224,19 @@ def test_what_is_kept_less_often_is_taken_as_booked(tmp_path: Path) -> None:
     assert not result.links[0].strict
 
 
+@pytest.mark.parametrize("every", [1, 8])
+def test_a_body_that_turns_far_within_long_steps_holds(tmp_path: Path, every: int) -> None:
+    """What its cells hold follows from where their corners are, so an audit need not have seen them turn."""
+    body = lattice((4, 3, 3), model="cells", mass=0.05, stiffness=4.0, spacing=0.02, damping=0.001)
+    hard = {0: pulled(amplitude=0.4, stiffness=30.0)}
+    driven = Driven(
+        tmp_path, body=body, periods=(0.03, 0.03), spring=0.2, seconds=3.0, hands=hard, options={"every": every}
+    )
+    result = audited(driven)
+    assert max(report.closure_factor for report in driven.reports[0]) > 0.05
+    assert result.holds, result.verdict
+
+
 def test_a_kick_is_found_between_kept_states(tmp_path: Path) -> None:
     def kick(peer: Peer, now: float) -> None:
         if peer.index == 0 and peer.steps == 103:
@@ -230,6 +245,19 @@ def test_a_kick_is_found_between_kept_states(tmp_path: Path) -> None:
     result = audited(Driven(tmp_path, options={"every": 5}, hands=STRONG, disturb=kick))
     assert (result.findings[0].place, result.findings[0].user) == ("between steps", 0)
     assert result.findings[0].step == 105
+
+
+def test_an_error_of_what_is_stored_counts_once_however_long_it_stays(tmp_path: Path) -> None:
+    """It is a level: friction that was worked out a rounding off stays so until it slips, in a thousand steps."""
+    (motion, _) = motions([read_recording(path) for path in Driven(tmp_path).run()], [0.0, 0.0])
+    stays = np.where(np.arange(motion.end.size) < 20, 0.0, 1e-3)
+    stays[60:70] = -2e-3
+    off = replace(motion, difference={**motion.difference, "stored": stays})
+    assert not findings_of(off, 3.5e-3, 0.0, {0: "Ann", 1: "Ben"})
+    (found,) = findings_of(off, 1.5e-3, 0.0, {0: "Ann", 1: "Ben"})
+    assert (found.place, found.step) == ("state", 20)
+    assert found.energy == pytest.approx(-2e-3)
+    assert found.words == "the energy of position and velocity at Ann is 0.002 J less than the ledger says"
 
 
 def test_a_recording_that_is_cut_off_is_judged_as_far_as_it_goes(tmp_path: Path) -> None:

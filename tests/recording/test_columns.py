@@ -1,5 +1,8 @@
 """Batches as bytes: there and back, and nothing believed of what is not a batch."""
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -7,6 +10,7 @@ from hypothesis import strategies as st
 from tests.thorough import examples
 
 from cotouch.errors import RecordingError
+from cotouch.peer import LinkState
 from cotouch.recording._columns import SCALARS, STATES, VECTORS, Batch, description, pack, unpack
 
 
@@ -66,3 +70,12 @@ def test_every_column_is_described() -> None:
     for name in (*SCALARS, *VECTORS, *STATES, "own"):
         assert f'"{name}"' in text
     assert "little-endian" in text
+
+
+def test_every_kind_of_event_is_documented() -> None:
+    root = Path(__file__).parents[2]
+    source = "\n".join(path.read_text() for path in (root / "src" / "cotouch").rglob("*.py"))
+    kinds = set(re.findall(r'\.event\(\s*"(\w+)"', source)) | {state.name.lower() for state in LinkState}
+    assert {"path", "cut", "beyond", "guarded", "coupled"} <= kinds
+    table = (root / "docs" / "recording.md").read_text().split("### Events")[1].split("## ")[0]
+    assert not {kind for kind in kinds if f"`{kind}`" not in table}

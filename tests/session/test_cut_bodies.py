@@ -7,7 +7,7 @@ import pytest
 from tests.session.world import Person, World
 
 from cotouch.errors import RecordingError
-from cotouch.recording import Recording, audit, read_recording
+from cotouch.recording import Recording, audit, read_recording, recordings_dataset
 
 TORN = """
 [session]
@@ -109,6 +109,21 @@ def test_an_audit_works_out_anew_what_each_body_was_closed_by(recorded: list[Rec
     for recording, ledger in zip(recorded, result.users, strict=True):
         assert ledger.worked_out == recording.states["state_row"].size
         assert abs(ledger.residual) <= result.tolerance
+
+
+def test_what_closed_each_body_is_exported_by_name(recorded: list[Recording]) -> None:
+    run = recordings_dataset(recorded)
+    assert run["body_factor"].dims == ("user", "step", "body")
+    assert run["body_centre"].dims == ("user", "step", "body", "space")
+    assert {run["body_factor"].attrs["units"], run["body_centre"].attrs["units"]} == {"1", "m/s"}
+    for user, recording in enumerate(sorted(recorded, key=lambda one: one.user)):
+        steps, closing = slice(1, 1 + recording.steps), recording.columns["closing"]
+        assert np.array_equal(run["body_factor"].values[user, steps], closing[:, :, 0])
+        assert np.array_equal(run["body_centre"].values[user, steps], closing[:, :, 1:])
+        lost = recording.columns["world_loss"].sum()
+        assert run["world_loss"].values[user, recording.steps] == pytest.approx(lost, abs=1e-15)
+    assert run["world_loss"].attrs["units"] == "J"
+    assert not [name for name in run.dims if str(name).startswith("closing")]
 
 
 def test_an_audit_finds_closings_that_were_not(recorded: list[Recording]) -> None:

@@ -54,6 +54,22 @@ def test_falls_and_bounces_as_closed_forms_say() -> None:
     world.check()
 
 
+def test_what_falls_from_rest_is_judged_by_the_energy_that_its_weight_gives(tmp_path: Path) -> None:
+    """Until it meets something the sum of its energies is rounding alone."""
+    world = World(session(world=""), folder=tmp_path, tick=2e-3)
+    ann = world.join("Ann", moves=False)
+    world.until(lambda: ann.member.replica is not None and ann.copy.peer is not None, 2.0)
+    world.run(0.4)
+    totals = ann.copy.totals
+    assert totals.in_play > 0.3 * WEIGHT * 0.5 * 9.81 * 0.4**2
+    assert totals.residual <= 1e-12
+    assert totals.alarms == 0
+    (recording,) = recordings(world)
+    result = audit([recording])
+    assert result.in_play >= totals.in_play * (1.0 - 1e-9)
+    assert not result.findings, result.verdict
+
+
 @pytest.mark.parametrize(("law", "near", "creep"), [("spring", 1e-5, 1e-6), ("paid", 0.02, 2e-5)])
 def test_rests_without_creep_whoever_comes_and_goes(law: str, near: float, creep: float) -> None:
     world = World(session(law=law), tick=2e-3)

@@ -68,7 +68,7 @@ def missing(recordings: list[Recording], begin: float) -> list[str]:
 
 def paths(recording: Recording) -> list[str]:
     """How the neighbour was reached, one after the other."""
-    return [str(event.fields["reason"]) for event in recording.events if event.kind == "way"]
+    return [str(event.fields["reason"]) for event in recording.events if event.kind == "path"]
 
 
 @pytest.mark.parametrize(("ports", "path_state"), [("kept", "direct"), ("random", "relayed")])

@@ -67,4 +67,4 @@ def test_a_process_that_stood_still_and_other_addresses(tmp_path: Path) -> None:
 
 def paths(recording: Recording) -> list[tuple[float, str]]:
     """How neighbours were reached, and since when."""
-    return [(event.time, str(event.fields["reason"])) for event in recording.events if event.kind == "way"]
+    return [(event.time, str(event.fields["reason"])) for event in recording.events if event.kind == "path"]

@@ -45,6 +45,23 @@ def test_a_tower_stands_and_two_take_it_apart(taken_apart: Any) -> None:
     assert (np.diff(taken_apart["world_loss"].values, axis=1) >= 0.0).all()
 
 
+def test_what_only_falls_is_judged_by_the_energy_that_its_weight_gives() -> None:
+    """Kinetic energy and weight cancel: their sum, and what hands gave, is rounding alone."""
+    run = simulate(
+        Scenario.make(
+            network={"users": ["Ann"], "spring": [[0]], "delay": [[0]]},
+            body=DIE,
+            world={"gravity": [0, 0, -9.81]},
+            steps={"duration": 0.5},
+            record={"nodes": "all"},
+        )
+    )
+    fell = 0.5 * 9.81 * 0.5**2
+    assert run["position"].values[0, -1, :, 2].mean() == pytest.approx(-fell, abs=1e-12)
+    assert run.attrs["energy_in_play"] == pytest.approx(0.1 * 9.81 * fell, rel=1e-9)
+    assert run.attrs["energy_residual"] <= 1e-13
+
+
 def test_a_body_that_meets_itself_does_so_in_every_world_to_the_same_bits() -> None:
     """A strip is folded over by a hand; the other user's copy follows."""
     fold = {"path": [[0, 0, 0, 0], [0.15, -0.06, 0, 0.06], [0.3, -0.09, 0, 0.012]], "stiffness": 200, "damping": 1}

@@ -130,7 +130,7 @@ class Law:
         keeps_scalars: names of the numbers that an end keeps.
         fractions: names of the fields that the ends of a copy share.
         shares_scalars: names of the numbers that the ends of a copy share.
-        feels: whether it reads `End.hand`.
+        feels: whether it reads `End.hand` and `End.touch`.
         passive: whether it promises that all ends together make no more energy than their seeds.
         seed: name of the parameter that says what an end may make; None: nothing.
         springs: whether its links hold `½‖x_i - x_j‖²_K` at the start, which they may give back.

@@ -6,6 +6,7 @@ from cotouch.arrays import Float
 from cotouch.mechanics._force import BodyForce, evaluate
 from cotouch.mechanics._force_together import undo
 from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._matrix3 import SWEEPS
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import (
     BETA,
@@ -33,8 +34,6 @@ TARGET, HAVE, ABOUT, NOISE, LAW, ROUGH, OUTSIDE, PASSED, GRAIN = range(9)
 LEAST, MOST = 0.8, 1.25
 # The first attempt after a step is told apart by its direction, the others by halves of its length; this is the last.
 LAST_ATTEMPT = 14
-# Sweeps of the rotations in a step.
-_SWEEPS = 2
 # A difference below this share of the energies that made it is their rounding.
 _ROUNDING = 4e-15
 # Below this share of the kinetic energy, motion about the centre of mass is too little to balance anything with.
@@ -90,7 +89,7 @@ def weigh(
     """
     rows = op.mass.shape[0]
     memory, mean, weighed = state.memory, work.mean, work.weighed
-    energy, power = evaluate(force.law, memory, work.ahead, state.position, mean, _SWEEPS, lanes)
+    energy, power = evaluate(force.law, memory, work.ahead, state.position, mean, SWEEPS, lanes)
     outside, rubbed, passed = weigh_world(force.world, memory, work.ahead, state.position, T)
     weighed[OUTSIDE], weighed[PASSED] = outside, 1.0 if passed else 0.0
     before, was_outside = memory[ENERGY], op.firmness * memory[AT_WORLD]
@@ -160,6 +159,20 @@ def weigh(
 def resting(weighed: Float) -> bool:
     """Whether the step that was weighed moves by nothing but the rounding of places, which is no reason to move."""
     return weighed[HAVE] <= weighed[ROUGH] and abs(weighed[TARGET] - weighed[HAVE]) <= weighed[ROUGH]
+
+
+@inner
+def next_length(length: float, least: float, greatest: float) -> float:
+    """How far the next attempt at a step goes: halfway between what is too little and what is too much.
+
+    As a step gets shorter, β² grows from below 1 to far above it, so that somewhere between it is 1 (docs/theory.md).
+
+    Args:
+        length: of the attempt before, of the way that the direction asked for.
+        least: the greatest so far that was too little.
+        greatest: the smallest so far that was too much; infinity: none was.
+    """
+    return 0.5 * (least + greatest) if greatest < math.inf else 2.0 * length
 
 
 @inner

@@ -21,6 +21,7 @@ from cotouch.mechanics._balance import (
     RIGID,
     ROUGH,
     TARGET,
+    next_length,
 )
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Parts
@@ -30,8 +31,10 @@ from cotouch.mechanics._vector import at, put
 
 # Numbers of each body: mass, momentum, kinetic energy, what it lacks, what of its energy is about its centre, how much
 # energy went to and fro; the factor on its velocity, the velocity about which that acts; whether it shares with others
-# what it lacks, and whether its group is not closed.
+# what it lacks, and by which factor it goes further in the next attempt, 0: its group is closed. What attempts keep:
+# how far it went, and how far was too little and too much.
 MASS, MOMENTUM, MOVING, LACKS, ABOUT, FLOW, FACTOR, CENTRE, SHARES, OPEN = 0, 1, 4, 5, 6, 7, 8, 9, 12, 13
+LENGTH, TOO_LITTLE, TOO_MUCH = 14, 15, 16
 # Who has less than this share of its energy about its own centre, and would be changed by more than that if it made up
 # for what it lacks by itself, shares it with those that touch it, if all of them are changed by less then.
 _HARDLY, _MUCH = 1e-4, 1e-3
@@ -151,10 +154,31 @@ def decide(parts: Parts | None, weighed: Float, attempt: int, others: bool) -> t
             worst = max(worst, abs(math.sqrt(square) - 1.0))
         if not closed or (passed and attempt < LAST_OF_ALL):
             good = False
+            far = passed or not (whole if square == -math.inf else square) > MOST
             for b in range(parts.held.shape[0]):
                 if at(parts.met.group, b) == group:
-                    put(parts.sums, (b, OPEN), 1.0)
+                    _go_on(parts, b, far)
     return good, worst
+
+
+@inner
+def _go_on(parts: Parts, b: int, far: bool) -> None:
+    """Says by which factor a body is to go further in the next attempt, as what it went was too much or too little."""
+    length = at(parts.sums, (b, LENGTH))
+    put(parts.sums, (b, TOO_MUCH if far else TOO_LITTLE), length)
+    following = next_length(length, at(parts.sums, (b, TOO_LITTLE)), at(parts.sums, (b, TOO_MUCH)))
+    put(parts.sums, (b, OPEN), following / length if length > 0.0 else 1.0)
+    put(parts.sums, (b, LENGTH), following if length > 0.0 else 0.0)
+
+
+@part
+def start_attempts(parts: Parts | None) -> None:
+    """No attempt at the step was made so far."""
+    if parts is not None:
+        for b in range(parts.held.shape[0]):
+            put(parts.sums, (b, LENGTH), 1.0)
+            put(parts.sums, (b, TOO_LITTLE), 0.0)
+            put(parts.sums, (b, TOO_MUCH), math.inf)
 
 
 @part

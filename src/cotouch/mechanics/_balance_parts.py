@@ -14,6 +14,7 @@ from cotouch.mechanics._balance_groups import (
     ABOUT,
     FLOW,
     LACKS,
+    LENGTH,
     MASS,
     MOMENTUM,
     MOVING,
@@ -113,7 +114,7 @@ def judge(
 
     Returns:
         What is lacking, of the whole body [J]; β² that would close it; whether what tools touch passed an obstacle;
-        and whether other bodies must go less far (`shorten`).
+        and whether other bodies must go another length (`set_length`).
     """
     weighed = work.weighed
     if force.parts is None:
@@ -174,22 +175,37 @@ def stretch(parts: Parts | None, mean: Float, factor: float, lanes: tuple[int, .
 
 
 @part
-def shorten(parts: Parts | None, mean: Float, factor: float, everything: bool, lanes: tuple[int, ...]) -> bool:
-    """Scales how far a body goes; of several those whose groups are not closed, or everything.
+def set_length(parts: Parts | None, mean: Float, factor: float, everything: bool, lanes: tuple[int, ...]) -> bool:
+    """Scales how far a body goes; of several those whose groups are not closed, each as `decide` says, or everything.
 
     Returns:
         Whether any of it had gone anywhere.
     """
     gone = False
+    if parts is not None:
+        for b in range(parts.held.shape[0]):
+            if factor == 0.0 and (everything or at(parts.sums, (b, OPEN)) != 0.0):
+                put(parts.sums, (b, LENGTH), 0.0)
     for i in range(mean.shape[0]):
         goes = factor
-        if parts is not None:
-            goes = factor if everything or at(parts.sums, (at(parts.part, i), OPEN)) != 0.0 else 1.0
+        if parts is not None and not everything:
+            asked = at(parts.sums, (at(parts.part, i), OPEN))
+            goes = factor * asked if asked != 0.0 else 1.0
         if goes != 1.0:
             rate = load(mean, i, lanes)
             gone = gone or total(rate * rate) != 0.0
         _scale(mean, i, goes, lanes)
     return gone
+
+
+@part
+def shortest(parts: Parts | None, length: float) -> float:
+    """How far a body went of the way that was asked for; of several, the one that went least."""
+    if parts is not None:
+        length = 1.0
+        for b in range(parts.held.shape[0]):
+            length = min(length, at(parts.sums, (b, LENGTH)))
+    return length
 
 
 @part

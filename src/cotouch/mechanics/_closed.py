@@ -5,6 +5,8 @@ energy is worked out once, and what the ledger then lack is put into the end vel
 of the centre of mass. Only v̂ meets ports and links, so everything that is proved for the linear step holds here.
 """
 
+import math
+
 from cotouch.arrays import Float
 from cotouch.mechanics._balance import (
     AT_WORLD,
@@ -12,6 +14,7 @@ from cotouch.mechanics._balance import (
     HAVE,
     LAST_ATTEMPT,
     LEFT,
+    MOST,
     MOTION,
     NOISE,
     PASSED,
@@ -19,11 +22,13 @@ from cotouch.mechanics._balance import (
     TARGET,
     go_back,
     keep_place,
+    next_length,
     resting,
+    square_of,
     weigh,
 )
-from cotouch.mechanics._balance_groups import LAST_OF_ALL
-from cotouch.mechanics._balance_parts import close_all, free_parts, keep_parts, shorten
+from cotouch.mechanics._balance_groups import LAST_OF_ALL, start_attempts
+from cotouch.mechanics._balance_parts import close_all, free_parts, keep_parts, set_length, shortest
 from cotouch.mechanics._direction import direct, level, predict
 from cotouch.mechanics._force import BodyForce, evaluate
 from cotouch.mechanics._force_memory import looks_ahead
@@ -50,6 +55,8 @@ from cotouch.mechanics._world_force import looks_of, settle_world, take_up
 _MANY = 60
 # What the next look would change, of the motion about the centre of mass, for which it is not taken.
 ENOUGH = 2e-4
+# A β² that is further from 1 says nothing of where to go.
+_FAR_OFF = 4.0
 # A step whose end velocity is changed by more than this is told: its forces and its energy disagree.
 CLOSURE_ALARM = 1e-2
 
@@ -124,7 +131,9 @@ def closed_step(
                 break
         before = change
     level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, known, work, lanes)
-    attempt, length, refused = 0, 1.0, False
+    attempt, length, least, greatest, refused = 0, 1.0, 0.0, math.inf, False
+    square, off, astray = 1.0, _FAR_OFF, False
+    start_attempts(force.parts)
     while True:
         keep_place(state, work, lanes)
         gain = ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
@@ -152,7 +161,14 @@ def closed_step(
             break
         go_back(force, state, work, lanes)
         still = not passed and resting(work.weighed)
-        if attempt == 0 and not passed and not still:
+        if alone:
+            square, _ = square_of(work.weighed, attempt > 0)
+        # Forces where a bold step led may send the next one astray; those where it begins do not, once it is short.
+        worse, off = alone and not astray and not abs(square - 1.0) < off, abs(square - 1.0)
+        if (attempt == 0 or (attempt == 1 and worse)) and not passed and not still:
+            astray = worse
+            for i in range(work.mean.shape[0] if astray else 0):
+                store(work.mean, i, splat(0.0, lanes), lanes)
             predict(op, force, state, T, False, work, lanes)
             direct(
                 op,
@@ -170,18 +186,22 @@ def closed_step(
                 lanes,
             )
             level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, False, work, lanes)
+            start_attempts(force.parts)
         else:
             # What cannot be closed, or would still pass an obstacle, stays where it is at last.
-            shorter = 0.0 if still or attempt >= LAST_ATTEMPT - 1 else 0.5
-            refused = refused or (not still and shorter == 0.0)
-            length *= shorter
-            if not shorten(force.parts, work.mean, shorter, attempt >= LAST_OF_ALL - 1, lanes):
+            stays, goes = still or attempt >= LAST_ATTEMPT - 1, 1.0
+            refused = refused or (stays and not still)
+            if alone and not stays:
+                least, greatest = (least, length) if passed or not square > MOST else (length, greatest)
+                goes = next_length(length, least, greatest) / length
+            length = 0.0 if stays else goes * length
+            if not set_length(force.parts, work.mean, 0.0 if stays else goes, attempt >= LAST_OF_ALL - 1, lanes):
                 # Nothing that goes less far would be any different.
                 length, refused, attempt = 0.0, refused or not still, max(attempt, LAST_ATTEMPT - 1)
         attempt += 1
     weighed = work.weighed
     rounded = abs(weighed[TARGET] - weighed[HAVE]) <= max(weighed[NOISE], weighed[ROUGH])
-    ledger[SHORTENED] = 0.0 if rounded and not refused else 1.0 - length
+    ledger[SHORTENED] = 0.0 if rounded and not refused else max(1.0 - shortest(force.parts, length), 0.0)
 
 
 @block

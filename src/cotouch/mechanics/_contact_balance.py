@@ -19,8 +19,8 @@ from cotouch.mechanics._balance import (
     resting,
     weigh,
 )
-from cotouch.mechanics._balance_groups import LAST_OF_ALL
-from cotouch.mechanics._balance_parts import close_all, judge, shorten, stretch
+from cotouch.mechanics._balance_groups import LAST_OF_ALL, start_attempts
+from cotouch.mechanics._balance_parts import close_all, judge, set_length, shortest, stretch
 from cotouch.mechanics._contact_press import press_tool, rub
 from cotouch.mechanics._contact_snap import draw_tool
 from cotouch.mechanics._contact_sweep import first_crossing
@@ -127,6 +127,7 @@ def balanced(
     aim = 0.5 * spare if force is None else 0.0
     if force is not None:
         keep_place(state, work, lanes)
+        start_attempts(force.parts)
     least, greatest = (1.0 - _EASY, 1.0 + _EASY) if touches else (LEAST, MOST)
     held_back = held_back or most < 1.0
     seeks, still = not held_back, False
@@ -168,7 +169,7 @@ def balanced(
             seeks = seeks and not passed
             if others:  # bodies that no tool touches
                 go_back(force, state, work, lanes)
-                shorten(force.parts, work.mean, 0.5 if shorter < LAST_ATTEMPT - 2 else 0.0, False, lanes)
+                set_length(force.parts, work.mean, 1.0 if shorter < LAST_ATTEMPT - 2 else 0.0, False, lanes)
                 shorter += 1
                 continue
             if not (fine or passed or touches or still) and resting(weighed):  # the body stays, and its tools go on
@@ -228,7 +229,7 @@ def balanced(
         )
         ledger[SHORTENED] = 0.0 if held_back else max(LEAST - scale, 0.0)
         if shorter > 0:
-            ledger[SHORTENED] = 1.0 - 0.5**shorter
+            ledger[SHORTENED] = max(1.0 - shortest(force.parts, 1.0), 0.0)
     return scale
 
 

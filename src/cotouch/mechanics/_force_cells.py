@@ -13,6 +13,7 @@ from cotouch.mechanics._force_ties import pull_ties, weigh_ties
 from cotouch.mechanics._fours import elements, keep_before, keep_rotations, rotations
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import (
+    SWEEPS,
     Matrix,
     Vector,
     cross,
@@ -62,8 +63,6 @@ class CorotatedCells(NamedTuple):
 
 # Four rows of a memory's scratch.
 _ALL = (0, 1, 2, 3)
-# Sweeps in which the rotation at the end of a step is found, at most.
-_SWEEPS = 2
 
 
 @inner
@@ -124,7 +123,7 @@ def resist(
         e = elements(first, count - 1)
         before = rotations(memory, FIRST, e)
         shape = diagonal(_sums(law, first, count - 1, ahead, memory, scratch, lanes), 4.0 * h)
-        middle = mixture(0.5, before, 0.5, nearest(before, shape, _SWEEPS))
+        middle = mixture(0.5, before, 0.5, nearest(before, shape, SWEEPS))
         turn = diagonal(scaled(h, middle), -h)
         if eta > 0.0:
             spun = _sums(law, first, count - 1, rate, memory, scratch, lanes)

@@ -34,6 +34,7 @@ from cotouch.mechanics._fours import (
 )
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import (
+    SWEEPS,
     Matrix,
     cofactor,
     contraction,
@@ -51,8 +52,6 @@ from cotouch.passing import by_address
 
 # Rows of a block of four tetrahedra.
 ROWS = 12
-# Sweeps in which the rotation at the end of a step is found, at most.
-_SWEEPS = 2
 
 
 @by_address
@@ -135,7 +134,7 @@ def _trace(a: Matrix) -> float:
 def _corotated_stress(lam: float, mu: float, h: Matrix, h1: Matrix, memory: Float, e: Quad) -> Matrix:
     before = rotations(memory, FIRST, e)
     f1 = diagonal(h1, 1.0)
-    after = nearest(before, f1, _SWEEPS)
+    after = nearest(before, f1, SWEEPS)
     twice = mixture(1.0, before, 1.0, after)
     s = contraction(before, diagonal(h, 1.0)) + contraction(after, f1) - 6.0
     # Twice the stretch halfway, and from there half of the stress.

@@ -14,8 +14,11 @@ Vector: TypeAlias = tuple[float, float, float]
 IDENTITY = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 # A solve is trusted down to this determinant beside the cube of the matrix's size.
 _FLAT = 1e-12
-# Sweeps that a step takes at most, and squares of the angles after which the next is left out.
-_STEP, _LITTLE, _NOTHING = 2, 2.5e-5, 1e-24
+# Sweeps that a step takes at most: mostly one or two, more where a long step turns an element far, for only rotations
+# that are those of the place make an energy that anybody can work out anew.
+SWEEPS = 12
+# Squares of the angles after which the next sweep is left out, of a step and from nowhere.
+_LITTLE, _NOTHING = 2.5e-5, 1e-24
 
 
 @inner
@@ -187,11 +190,11 @@ def turned(r: Matrix, s: Matrix) -> tuple[Matrix, float]:
 def nearest(r: Matrix, s: Matrix, sweeps: int) -> Matrix:
     """The rotation that maximises `tr RᵀS`, found from another in at most so many sweeps.
 
-    What a sweep leaves is of the order of the square of what it turned by, times the strain. Where a step takes two,
-    the second is left out where the first hardly turned; a search from nowhere goes on until nothing is left.
+    What a sweep leaves is of the order of the square of what it turned by, times the strain. A step leaves out the
+    next where one hardly turned; a search from nowhere, with more sweeps than `SWEEPS`, goes on until nothing is left.
     """
     for _ in range(sweeps):
         r, square = turned(r, s)
-        if total(square) <= (_LITTLE if sweeps <= _STEP else _NOTHING):
+        if total(square) <= (_LITTLE if sweeps <= SWEEPS else _NOTHING):
             break
     return r

@@ -52,20 +52,22 @@ class SessionTable(Table):
         quantile: share of the ages of a window that a budget covers.
         margin: what the budget is above that, as a share.
         window: over which ages are looked at [s].
-        longest_step: T is never longer; a peer that is later than this stands still for the rest [s].
+        max_step: T is never longer; a peer that is later than this stands still for the rest [s].
         force_limit: of one link [N].
         power_limit: that one neighbour's motion can put in, on average over a second [W].
         tank: most energy that a link's tank holds [J].
-        seed: energy that a link has once, to begin with [J].
+        initial_energy: energy that a link has once, to begin with [J].
         allowance: energy that a newcomer's links may get once, to bring its copy from rest to where the others are;
             about what 20 N do over 0.1 m [J].
         age_limit: that the age budgets of both ends of a link may come to; samples that are older are guarded, and no
             neighbour can ask for more damping than half the spring times this [s].
-        gather: hands of the file wait until all users are there and their own copy is coupled, at most so long [s].
+        wait_for_peers: hands of the file wait until all users are there and their own copy is coupled, at most so long
+            [s].
         encoding: of a number on the wire; what the rounding of others than "float64" can cost is paid for.
-        reach: greatest displacement of any node along an axis; what is farther is not sent, and not taken [m].
+        max_displacement: greatest displacement of any node along an axis; what is farther is neither sent nor taken
+            [m].
         send_rate: highest rate of samples on each link [1/s]; by default the sender's own.
-        emulate: put the delays of `[network]` and the law of `[channel]` on every direct path, to try a network on one
+        emulate: apply the delays of `[network]` and the impairments of `[channel]` to every path, to try them on one
             machine.
         per_address: slots that one address may take, this machine aside; by default half of them, rounded up.
         devices: how the devices in people's hands are coupled.

@@ -88,7 +88,9 @@ class Totals:
         self.advanced += report.advanced
         self.energy = energy
         self.depth = max(self.depth, -energy)
-        self.in_play = max(self.in_play, abs(self.energy), abs(self.supplied), self.lost, self._exchanged)
+        # A falling copy gains as much kinetic energy as its weight loses: the sum says nothing of what is at stake.
+        sums = abs(self.energy), -report.elastic, abs(self.supplied), self.lost, self._exchanged
+        self.in_play = max(self.in_play, *sums)
         self.total_residual += report.residual
         fraction = abs(report.residual) / self.in_play
         self.residual = max(self.residual, fraction)

@@ -12,7 +12,7 @@ from cotouch.arrays import Float
 from cotouch.errors import RecordingError
 from cotouch.files import write_netcdf
 from cotouch.peer import LinkState
-from cotouch.recording._columns import EXCHANGE, GUARDS, HOW_SAID, SAID
+from cotouch.recording._columns import CLOSING, EXCHANGE, GUARDS, HOW_SAID, SAID
 from cotouch.recording._links import align
 from cotouch.recording._recording import Recording
 from cotouch.recording._slack import slack_of
@@ -43,11 +43,12 @@ _PLAIN = {
     "iterations": ("1", "iterations of the solver in the step; 0 where it is a closed form"),
 }
 # Of bodies with a material.
+_CLOSED_SUMS = {"world_loss": "of body_loss: lost so far in friction and damping at obstacles and between bodies"}
 _CLOSED = {
     "closure": ("J", "work on the velocity that closed the step; in no other book"),
     "closure_factor": ("1", "by how much that changed the velocity, |beta - 1|"),
     "shortened": ("1", "share of the step that was given up to close it"),
-    "world_stored": ("J", "of elastic: held by planes and boxes"),
+    "world_stored": ("J", "of elastic: held by obstacles and between bodies"),
 }
 # By the recorded name: the one in a run, unit, meaning.
 _TOOLS = {
@@ -121,12 +122,24 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
     put("time", ("user", "step"), list(enumerate(times)), "s", "end of the step on the shared clock")
     periods = [_shifted(recording.columns["T"]) for recording in recordings]
     put("period", ("user", "step"), list(enumerate(periods)), "s", "length T of the step")
-    for name, text in _SUMS.items():
+    closed = any(recording.header.body.material is not None for recording in recordings)
+    for name, text in (_SUMS | (_CLOSED_SUMS if closed else {})).items():
         sums = [np.concatenate([[0.0], np.cumsum(recording.columns[name])]) for recording in recordings]
         put(name, ("user", "step"), list(enumerate(sums)), "J", text)
-    closed = any(recording.header.body.material is not None for recording in recordings)
     for name, (unit, text) in (_PLAIN | (_CLOSED if closed else {})).items():
         column(name, ("user", "step"), unit, text)
+    bodies = [(at, _shifted(r.columns[CLOSING])) for at, r in enumerate(recordings) if CLOSING in r.columns]
+    if bodies:
+        factors = [(at, values[:, :, 0]) for at, values in bodies]
+        centres = [(at, values[:, :, 1:]) for at, values in bodies]
+        put(
+            "body_factor",
+            ("user", "step", "body"),
+            factors,
+            "1",
+            "by what closing the step scaled each body's velocity",
+        )
+        put("body_centre", ("user", "step", "body", "space"), centres, "m/s", "velocity about which that scaled it")
     forces = [_shifted(_force(recording)) for recording in recordings]
     put("force", ("user", "step", "axis"), list(enumerate(forces)), "N", "sum of the mean forces at a user's ports")
     for name, (shown, unit, text) in _TOOLS.items():
@@ -154,7 +167,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
                 parts.append((k, first if name == "link_work" else _shifted(values)))
             put(name, ("direction", "step"), parts, unit, text)
     _states(recordings, times, put)
-    known = {*data, *_TOOLS, *_CLOSED, "index", "end", "T"}
+    known = {*data, *_TOOLS, *_CLOSED, CLOSING, "index", "end", "T"}
     extra = [name for recording in recordings for name in recording.columns if name not in known and name not in ledger]
     for name in dict.fromkeys(extra):
         unit, text = next(
@@ -181,7 +194,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
             "node": np.arange(1, rest.shape[0] + 1),
             **({"direction": np.array(names, dtype=np.str_)} if names else {}),
             **({"receiver": ("direction", receivers), "sender": ("direction", senders)} if names else {}),
-            **({"space": list(_AXES)} if "tool_position" in data else {}),
+            **({"space": list(_AXES)} if {"tool_position", "body_centre"} & data.keys() else {}),
         },
         attrs=_attributes(recordings, users, start),
     ).set_coords([name for name in ("time", "tick_time", "state_time") if name in data])

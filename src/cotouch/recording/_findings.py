@@ -79,10 +79,12 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
             )
         )
 
-    for name, difference in motion.difference.items():
+    # What is stored is a level, not a flow: an error that stays must not count in every step anew.
+    flows = {**motion.difference, "stored": np.diff(motion.difference["stored"], prepend=0.0)}
+    for name, difference in flows.items():
         if not _counts(difference, tolerance):
             continue
-        total = float(difference.sum())
+        total = _most(difference)
         if name.startswith("link "):
             other = int(name.split()[1])
             words = (

@@ -49,6 +49,7 @@ class Motion:
         members: whether somebody joined or left there.
         sunk: of carried: what a share of a potential below 0 makes, that no hand can get; see `cotouch.peer.CopyScale`.
         depth: how far below 0 the energy was at most, of a body that fell below where it began.
+        fallen: how far below 0 its potential energy was at most, however fast it moved there.
         difference: by name, what was worked out less what was booked, per step; links as "link N".
         speed: ‖v̂‖² in the weight of W_0, per step, NaN where not worked out.
         rounding: of the energies, from the size of the numbers they come from.
@@ -68,6 +69,7 @@ class Motion:
     members: Bool
     sunk: Float
     depth: float
+    fallen: float
     difference: Mapping[str, Float]
     speed: Float
     rounding: float
@@ -161,6 +163,7 @@ def _motion(recording: Recording, others: Sequence[Recording], offset: float) ->
         members=members,
         sunk=sunk,
         depth=max(0.0, -float((stored + extra).min(initial=0.0))),
+        fallen=max(0.0, -float((scale[rows] * potential).min(initial=0.0))),
         difference=difference,
         speed=speed,
         rounding=rounding,

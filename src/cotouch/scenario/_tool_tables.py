@@ -112,7 +112,7 @@ class SimulatedDeviceTable(Table):
         damping: of the coupling [Ns/m].
         cap: most energy that the tank keeps [J].
         reserve: debt up to which PSPM's damping stays on [J].
-        declared: damping of the device itself that PSPM may count on [Ns/m].
+        assumed_damping: damping of the device itself that PSPM may count on [Ns/m].
         clip_stiffness: lower a stiffness that is too much instead of refusing it.
     """
 

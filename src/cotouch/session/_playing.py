@@ -122,7 +122,9 @@ def take_part(
             session_recorder is not None and session_recorder.begun
         ):  # ways may be found before the first step; they are kept until then
             for change in routed.events():
-                session_recorder.event("way", change.time, slot=change.neighbour, reason=change.path_state.name.lower())
+                session_recorder.event(
+                    "path", change.time, slot=change.neighbour, reason=change.path_state.name.lower()
+                )
         if session_recorder is not None and session_recorder.failure is not None and not warned:
             warned.append(session_recorder.failure)
             warn(f"nothing is recorded into {part.record} any more: {session_recorder.failure}; the session goes on")

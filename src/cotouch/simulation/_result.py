@@ -14,7 +14,7 @@ from cotouch.interrupt import interruptible
 from cotouch.scenario import Scenario
 from cotouch.simulation._batch import Outcome
 from cotouch.simulation._law_setup import given_law
-from cotouch.simulation._layout import CLOSED_BOOKS, CUT_BOOKS, TOOL_LEDGER, USER_LEDGER, WORLD_BOOKS
+from cotouch.simulation._layout import CLOSED_BOOKS, CUT_BOOKS, TOOL_LEDGER, USER_LEDGER, WORLD_BOOKS, Record
 from cotouch.simulation._outcome import run_prepared
 from cotouch.simulation._prepare import Prepared, prepare
 from cotouch.simulation._rigid_tool_result import UNITS as RIGID_TOOL_UNITS
@@ -53,7 +53,7 @@ _UNITS = {
     "closure_alarms": ("1", "steps so far with a change above 0.01, or that had to be shortened"),
     "world_loss": ("J", "of body_loss: lost so far in friction and damping at planes and boxes"),
     "world_stored": ("J", "of elastic: held by planes and boxes"),
-    "world_force": ("N", "mean force of planes and boxes on the copy over the step"),
+    "world_force": ("N", "mean force of planes, boxes, plates and meshes on the copy over the step"),
     "cut": ("J", "lost so far with the elements that were cut: what they held"),
     "cut_elements": ("1", "elements of the copy that were cut so far"),
     "cut_time": ("s", "when the copy lost the element; NaN: it is whole"),
@@ -262,8 +262,7 @@ def _attributes(prepared: Prepared, outcome: Outcome, ticks: int) -> dict[str, A
 
     ledger = outcome.record.ticks[:, :ticks]
     timing, scenario = prepared.schedule, prepared.scenario
-    # The energy in play: the most that was stored, supplied or dissipated at any time of the run.
-    in_play, residual = _largest(ledger[:4]), _largest(ledger[4])
+    in_play, residual = _in_play(outcome.record, ledger), _largest(ledger[4])
     finished = outcome.events == timing.order.size
     return {
         "title": scenario.title or "cotouch run",
@@ -333,6 +332,15 @@ def _paces(timing: Schedule) -> dict[str, list[float]]:
     asked = [float(n / timing.nominal[i, :n].sum()) for i, n in zip(users, timing.count, strict=True)]
     taken = [float(n / timing.end[i, n - 1]) for i, n in zip(users, timing.count, strict=True)]
     return {"rate_asked": asked, "rate": taken, "behind": timing.behind.tolist()}
+
+
+def _in_play(record: Record, ledger: Float) -> float:
+    """The most energy that was stored, supplied or dissipated at any time of a run [J].
+
+    A falling body gains as much kinetic energy as its weight loses: the sum says nothing of what is at stake.
+    """
+    elastic = record.users[USER_LEDGER.index("elastic")]
+    return max(_largest(ledger[:4]), -float(np.fmin(elastic, 0.0).min(axis=1).sum()))
 
 
 def _largest(values: Float) -> float:

@@ -1,0 +1,55 @@
+"""Steps far too long for what pulls: they go as far as their energy allows, which is somewhere; no body freezes."""
+
+import numpy as np
+import pytest
+from tests.mechanics.materials import EVERY, FLOATS, Alone, bent, energy_at, made, rotation
+
+from cotouch.body import Placed, together
+from cotouch.mechanics import ELASTIC, KINETIC, SHORTENED
+from cotouch.mechanics._matrix3 import SWEEPS
+
+SOFT = [name for name in EVERY if name != "rigid"]
+
+
+@pytest.mark.parametrize("name", SOFT)
+def test_a_body_that_a_great_force_pulls_within_long_steps_goes_on(name: str) -> None:
+    """A hundred times its weight, in steps of five times its slowest period: halves of a step would all do too much."""
+    copy = Alone(made(name, ground="x-", hold=50.0, gravity=(0.0, 0.0, -1000.0)))
+    whole, shorter, most = copy.energy, [], 0.0
+    for _ in range(40):
+        ledger = copy.step(0.03)
+        shorter.append(float(ledger[SHORTENED]))
+        most = max(most, float(np.abs(ledger[[KINETIC, ELASTIC]]).max()))
+        assert copy.energy == pytest.approx(whole, abs=1e-12 * max(most, 1e-3))
+    assert sum(part == 1.0 for part in shorter) <= 1  # it stayed where it was
+    assert np.abs(copy.position).max() > 0.05
+
+
+def test_bodies_that_do_not_touch_are_shortened_each_by_itself() -> None:
+    """The one that hangs swings as it does alone, whatever becomes of the other."""
+    hangs = made("cells", ground="x-", hold=50.0, gravity=(0.0, 0.0, -1000.0))
+    body = together([Placed(body=hangs, name="one"), Placed(body=made("cells"), name="other", at=(0.0, 1.0, 0.0))])
+    pair = Alone(body.with_gravity((0.0, 0.0, -1000.0)))
+    whole, still = pair.energy, 0
+    for _ in range(40):
+        ledger = pair.step(0.03)
+        still += ledger[SHORTENED] == 1.0
+        most = max(whole, float(np.abs(ledger[[KINETIC, ELASTIC]]).max()))
+        assert pair.energy == pytest.approx(whole, abs=1e-12 * max(most, 1.0))
+    assert still <= 1
+    fell = pair.position[hangs.nodes :, 2]
+    assert fell == pytest.approx(-0.5 * 1000.0 * (40 * 0.03) ** 2, rel=1e-3)
+    assert np.abs(pair.position[: hangs.nodes]).max() > 0.05
+
+
+@pytest.mark.parametrize("name", sorted({"cells", "corotated"} - FLOATS))
+def test_rotations_are_those_of_the_place_however_far_a_step_turns(name: str) -> None:
+    """So that whoever works the energy out anew, from the place alone, finds the same."""
+    body = made(name)
+    copy = Alone(body)
+    place = (body.rest + bent(body, 0.6)) @ rotation([1.0, 2.0, 2.0], 0.7).T - body.rest
+    x, ahead, still = (copy.rows(field) for field in (np.zeros_like(place), place, np.zeros_like(place)))
+    memory = copy.state.memory
+    once, _ = energy_at(copy.force, memory, x, ahead, still, SWEEPS, copy.model.lanes)
+    again, _ = energy_at(copy.force, memory, ahead, ahead, still, 60, copy.model.lanes)
+    assert once == pytest.approx(again, rel=1e-9)
