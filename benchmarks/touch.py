@@ -20,15 +20,18 @@ import numpy.typing as npt
 from benchmarks._copy import CAP, MASS, PERIOD, TOLERANCE, Copy, copy, cube
 from benchmarks._report import Row, command
 from benchmarks.step import _diverges, _quiet
-from cotouch.body import Body
+from cotouch.body import Body, lattice
 from cotouch.mechanics import (
     GRASP,
     TOUCH,
     TOUCH_LEDGER,
     Contact,
+    State,
     Stiffening,
     Surface,
     Tools,
+    closed_settle,
+    closed_step,
     contact_by,
     contact_step,
     own_ports,
@@ -84,6 +87,7 @@ _MONOTONIC = 1
 @numba.njit(error_model="numpy", nogil=True)
 def _run(
     op: Any,
+    force: Any,
     state: Any,
     links: Any,
     ports: Any,
@@ -112,14 +116,19 @@ def _run(
                 own.drive_end[t, a] = path[k, t, a]
         _clock(_MONOTONIC, now.ctypes.data)
         begin = now[0] * 1_000_000_000 + now[1]
-        if bare:
+        if bare and force is not None:
+            closed_step(
+                op, force, state, links, ports, local, extra, lengths[k], middle, work, ledger, link_work, TOLERANCE,
+                CAP, lanes,
+            )  # fmt: skip
+        elif bare:
             step(
                 op, state, links, ports, local, extra, lengths[k], middle, work, ledger, link_work, TOLERANCE, CAP,
                 lanes,
             )  # fmt: skip
         else:
             contact_step(
-                contact, op, None, state, links, ports, surface, own, local, extra, lengths[k], middle, work,
+                contact, op, force, state, links, ports, surface, own, local, extra, lengths[k], middle, work,
                 ledger, touch_ledger, link_work, TOLERANCE, CAP, lanes,
             )  # fmt: skip
         _clock(_MONOTONIC, now.ctypes.data)
@@ -131,6 +140,11 @@ def scene(body: Body, *, mode: int = TOUCH, steps: int = STEPS, spheres: int = 1
     """A sphere over the middle of the top, which goes down into it and then to and fro; or some around the middle."""
     c = copy(body, steps=steps, basis="nodal" if body.truncation is None else "auto")
     c = c._replace(ports=own_ports(c.ports, 0, 0))  # the tool is what holds this copy
+    if c.model.force is not None:  # at rest, in balance with itself
+        still = np.zeros_like(c.state.position)
+        state = State(still, still.copy(), still.copy(), still.copy(), np.zeros(c.model.memory))
+        c = c._replace(state=state, work=c.model.workspace(0))
+        closed_settle(c.model.operator, c.model.force, state, c.work, c.ledger, c.model.lanes)
     surface = surface_of(c.model)
     own = tools(spheres)
     top = body.rest.max(axis=0)
@@ -158,8 +172,8 @@ def run(s: Scene, *, bare: bool = False) -> Float:
     """Seconds of each step after the sphere has come down; `bare`: of the same copy without tools."""
     c = s.copy
     _run(
-        c.model.operator, c.state, c.links, c.ports, s.surface, s.tools, c.local, c.extra, c.lengths, c.work,
-        s.contact, c.ledger, s.ledger, c.link_work, s.path, np.zeros(2, np.int64), s.times, s.counts, bare,
+        c.model.operator, c.model.force, c.state, c.links, c.ports, s.surface, s.tools, c.local, c.extra, c.lengths,
+        c.work, s.contact, c.ledger, s.ledger, c.link_work, s.path, np.zeros(2, np.int64), s.times, s.counts, bare,
         c.model.lanes,
     )  # fmt: skip
     return 1e-9 * s.times[s.times.size // 5 :]
@@ -192,6 +206,22 @@ def _row(what: str, make: Callable[[], Scene], goal: str = "", attempts: int = _
     return Row("touch", what, f"p50 {_us(p50)}", goal, note), p99
 
 
+def cells(side: int) -> Body:
+    """A cube of E = 10 kPa that turns and bends, with dampers of 2e-4 s, held at one face."""
+    k = 1e4 * SPACING
+    return lattice(
+        (side,) * 3,
+        mass=1000.0 * ((side - 1) * SPACING) ** 3,
+        stiffness=k,
+        damping=2e-4 * k,
+        spacing=SPACING,
+        model="cells",
+        ground="z-",
+        ground_stiffness=k,
+        ground_damping=2e-4 * k,
+    )
+
+
 def lattices() -> list[Row]:
     """The step for every size, touching and holding."""
     rows: list[Row] = []
@@ -200,6 +230,11 @@ def lattices() -> list[Row]:
         rows.append(_row(f"lattice of {side**3:,} nodes, sphere pressed in", lambda b=body: scene(b))[0])
         rows.append(_row("— three spheres pressed in", lambda b=body: scene(b, spheres=3))[0])
         rows.append(_row("— held at the nodes in a sphere", lambda b=body: scene(b, mode=GRASP))[0])
+    for side in SIDES[:2]:
+        body = cells(side)
+        rows.append(
+            _row(f"cells of {side**3:,} nodes, three spheres pressed in", lambda b=body: scene(b, spheres=3))[0]
+        )
     return rows
 
 

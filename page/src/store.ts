@@ -66,10 +66,10 @@ export class Store {
     return this.connection === "open" && !this.state?.ended && (this.state?.age ?? 0) > STALE;
   }
 
-  /** What the pointer can do: a blade only where something can be cut, and only a hand beside rigid tools. */
+  /** What the pointer can do: a blade only where something can be cut, and no ball beside rigid tools. */
   get tools(): Tool[] {
-    if (this.scene?.parts.some((part) => part.tool)) return ["grab"];
-    return this.scene?.cutting ? ["grab", "ball", "blade"] : ["grab", "ball"];
+    const tools: Tool[] = this.scene?.parts.some((part) => part.tool) ? ["grab"] : ["grab", "ball"];
+    return this.scene?.cutting ? [...tools, "blade"] : tools;
   }
 
   /** What it does. */

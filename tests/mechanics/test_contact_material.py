@@ -5,7 +5,7 @@ import pytest
 from tests.mechanics.materials import EVERY, SPACING, made, rotation
 from tests.mechanics.pressing import Pressed, plate, slab
 
-from cotouch.mechanics import BETA, CLOSURE_ALARM, KINETIC, SHORTENED, TOUCH_LOSS, Stiffening, press
+from cotouch.mechanics import BETA, CLOSURE_ALARM, ITERATIONS, KINETIC, SHORTENED, TOUCH_LOSS, Stiffening, press
 
 STEPS = 120
 
@@ -81,6 +81,31 @@ def test_what_is_pressed_at_rest_closes() -> None:
     assert abs(copy.force[2] - force) <= 1e-3 * force
     assert abs(copy.tools.place[0, 2] - depth) <= 1e-3 * 0.005
     assert copy.lost - lost <= 1e-3 * copy.energy
+    assert copy.residual <= 5e-15 * copy.in_play
+
+
+@pytest.mark.parametrize(("tremble", "slide"), [(2e-5, 0.0), (0.0, SPACING)])
+def test_three_tools_take_few_looks(tremble: float, slide: float) -> None:
+    """Hands that tremble or slide: looks end where the end velocity hardly notices what they miss."""
+    copy = Pressed(made("cells", viscosity=2e-4, shape=(8, 8, 5), ground="z-", hold=100.0), count=3)
+    rng, tools, radius = np.random.default_rng(1), copy.tools, 1.5 * SPACING
+    copy.tolerance, angle = 1e-6, 2.0 * np.pi * np.arange(3) / 3
+    around = np.stack([np.cos(angle), np.sin(angle), np.zeros(3)], axis=1)
+    above = 1.6 * SPACING * around + [3.5 * SPACING, 3.4 * SPACING, 4.0 * SPACING + radius]
+    tools.radius[:], tools.place[:, :3] = radius, above
+    copy.begin()
+    tools.drive_stiffness[:], tools.drive_damping[:] = 500.0, 5.0
+    taken, factors, end = [], [], above
+    for n in range(500):
+        start, end = end, above + tremble * rng.normal(size=(3, 3))
+        end += [slide * np.sin(0.01 * max(n - 200, 0)), 0.0, -min(0.8 * SPACING, 8e-5 * n)]
+        tools.drive_start[:, :3], tools.drive_end[:, :3] = start, end
+        copy.step(1e-3)
+        taken.append(copy.ledger[ITERATIONS])
+        factors.append(copy.ledger[BETA])
+    assert tools.touching.all()
+    assert np.median(taken[200:]) <= 8.0  # four of these before any correction
+    assert np.quantile(factors[200:], 0.99) <= 1e-3
     assert copy.residual <= 5e-15 * copy.in_play
 
 

@@ -83,9 +83,8 @@ class Ball(LedTool):
         if reached is not None:
             where = reached[1]
         tools.radius[t] = self.radius
-        tools.place[t, :3] = where
         tools.inside[t] = 1  # nobody looked yet
-        self._mover.put(where.tolist())
+        self._put(where.tolist())
 
     def _change(self, T: float) -> None:
         most = self._size * T / _GROWTH

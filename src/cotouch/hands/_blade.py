@@ -63,10 +63,8 @@ class Blade(LedTool):
 
     def put(self, place: Sequence[float]) -> None:
         """Puts it down, (3,) [m]; only while it cuts nothing."""
-        tools, t = self._tools, self._t
-        self._edge = self._wanted.copy()
-        tools.place[t, :3], tools.rate[t], tools.axis[t] = place, 0.0, 0.0
-        self._mover.put(list(place))
+        self._edge, self._tools.axis[self._t], self._tools.rate[self._t] = self._wanted.copy(), 0.0, 0.0
+        self._put(place)
 
     def _change(self, T: float) -> None:
         self._edge += (self._wanted - self._edge) * min(1.0, T / _TURN)

@@ -123,7 +123,7 @@ class CommandedHand:
         tables = [tool for tool in scenario.proxies if tool.user == slot + 1]
         touches = body.skin is not None and not body.tools  # it would meet everybody's, also where these are not
         balls = [ball_table(slot, body, size=self._size, stiffness=self.usual)] if touches else []
-        cutting = body.cut_count > 0 and not body.tools
+        cutting = body.cut_count > 0
         cutting &= scenario.cutting is None or scenario.cutting.may(slot + 1)
         blades = [blade_table(slot, body, size=self._size)] if cutting else []
         if tables or balls or blades:

@@ -81,7 +81,8 @@ class DeviceHand:
         self._slot = slot
         self._attached: list[GraspedNode | GraspedTool] = []
         users = scenario.network.size
-        own = [table for table in scenario.proxies if table.user == slot + 1]
+        rigid = any(tool.user == slot + 1 for tool in scenario.rigid_tools)  # devices hold these, and no blade
+        own = [table for table in scenario.proxies if table.user == slot + 1 and not rigid]
         tables = _tables(own, body, slot, wanted)
         if tables:
             still = np.zeros((users, body.nodes, body.dimension))
@@ -91,7 +92,7 @@ class DeviceHand:
             self.surface, self.contact = self._touching.surface, self._touching.contact
             self.tools = tools_of(self._touching, slot)
             held: list[Grasped] = [GraspedBall(self.tools, k, table.radius) for k, table in enumerate(tables)]
-        elif any(tool.user == slot + 1 for tool in scenario.rigid_tools):
+        elif rigid:
             held = self._hold_tools(scenario, body, model, wanted if links else [])
         else:
             held = self._grasp(scenario, body, model, _nodes(scenario, body, slot, wanted))

@@ -24,6 +24,7 @@ class LedTool:
         self._tools, self._t, self._mode = tools, index, mode
         self._mover = Mover(3)
         self.gain = 0.0
+        self._fresh = False
 
     def move(
         self, goal: Sequence[float] | None, gain: float, T: float, *, stiffness: float, damping: float, **motion: float
@@ -46,12 +47,20 @@ class LedTool:
         if gain > 0.0:
             tools.drive_start[t, :3] = mover.place
             self._change(T)
-            mover.move(mover.place if goal is None else goal, T, **motion)
+            # In the step after a jump nothing pulls: to an audit it is a way, on which a force would do work.
+            mover.move(mover.place if goal is None or self._fresh else goal, T, **motion)
+            self._fresh = False
         else:  # the damper holds against where it is: to follow its own motion would keep it moving
             mover.put(tools.place[t, :3].tolist())
             tools.drive_start[t, :3] = mover.place
         tools.drive_end[t, :3] = mover.place
         tools.mode[t] = self._mode if gain > 0.0 else AWAY
+
+    def _put(self, place: Sequence[float]) -> None:
+        """Puts it somewhere, (3,) [m]; only while it does nothing."""
+        self._tools.place[self._t, :3] = place
+        self._mover.put(list(place))
+        self._fresh = True
 
     def _change(self, T: float) -> None:
         """What changes of it, besides its place, in a step in which it acts."""

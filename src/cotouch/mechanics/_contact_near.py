@@ -15,9 +15,10 @@ from cotouch.mechanics._operator import Operator, row_sum
 from cotouch.mechanics._state import Workspace
 from cotouch.mechanics._vector import at, load, splat, store, total
 
-# What all corrections of a step leave of what the first should correct, and the iterations of each at most.
-_LEAVES, _MOST = 1e-3, 16
-_TINY = 1e-290
+# Between which shares all corrections of a step leave of what the first should correct, and the iterations of each at
+# most: what one leaves, no other finds.
+_FINE, _ROUGH, _MOST = 1e-3, 3e-2, 16
+_TINY, _MOST_GAIN = 1e-290, 3.0
 
 
 @part
@@ -28,6 +29,7 @@ def forget_rows(touch: ContactWork, lanes: tuple[int, ...]) -> None:
         i = touch.reach[c]
         touch.mark[i] = 0
         store(touch.said, i, splat(0.0, lanes), lanes)
+        store(touch.missed, i, splat(0.0, lanes), lanes)
     touch.many[0], touch.goal[0] = 0, -1.0
 
 
@@ -72,13 +74,35 @@ def tell(touch: ContactWork, modal: bool, lanes: tuple[int, ...]) -> None:
 
 
 @part
-def correct_near(op: Operator, work: Workspace, touch: ContactWork, cap: int, lanes: tuple[int, ...]) -> int:
+def _gain(touch: ContactWork, square: float, kept: float) -> float:
+    """How much of a correction is made, by how much of what it missed the last one left [Barzilai & Borwein 1988].
+
+    What resists at a corner stands for a matrix of a triangle's corners, of which it is the row sums, so a correction
+    by itself comes out too small.
+
+    Args:
+        touch: `goal` holds how much of the last was made, and what that missed; both are brought up to date.
+        square: what is missed now, in the norm of the inverse diagonal.
+        kept: product of that with what was missed before.
+    """
+    gain, before = 1.0, touch.goal[2]
+    if touch.goal[0] >= 0.0 and before > kept:
+        gain = min(max(touch.goal[1] * before / (before - kept), 1.0), _MOST_GAIN)
+    touch.goal[1], touch.goal[2] = gain, square
+    return gain
+
+
+@part
+def correct_near(
+    op: Operator, work: Workspace, touch: ContactWork, leaves: float, cap: int, lanes: tuple[int, ...]
+) -> int:
     """Corrects `work.mean` by what contacts do beside what they were said to.
 
     Args:
         op: the body.
         work: `scale`, `values` and `inverse` as its last solve left them.
         touch: what the last look gathered; `said` gets what contacts do at the new rate, if they are linear.
+        leaves: which share of what it should correct it may leave, as far as that can be had.
         cap: on iterations.
         lanes: fixes the width.
 
@@ -91,20 +115,24 @@ def correct_near(op: Operator, work: Workspace, touch: ContactWork, cap: int, la
     reach, own, mark, stiff = touch.reach, work.diagonal, touch.mark, touch.stiff
     direction, inverse, answer, residual, image = touch.along, touch.inverse, touch.found, work.residual, work.image
     count = touch.many[0]
-    energy = zero
+    energy, kept = zero, zero
     for c in range(count):
         i = reach[c]
         for a in range(axes):
             inverse[c, a] = 1.0 / (own[i] + stiff[3 * c + a, a])
         r = load(touch.push, i, lanes) - load(touch.said, i, lanes)
         z = load(inverse, c, lanes) * r
+        kept = kept + load(touch.missed, i, lanes) * z
         energy = energy + r * z
+        store(touch.missed, i, r, lanes)
         store(residual, i, r, lanes)
         store(direction, i, z, lanes)
         store(answer, i, zero, lanes)
     square = total(energy)
-    if touch.goal[0] < 0.0:  # later ones have less to do; what one leaves, no other finds
-        touch.goal[0] = max(_LEAVES * _LEAVES * square, _TINY)
+    gain = _gain(touch, square, total(kept))
+    if touch.goal[0] < 0.0:  # later ones have less to do
+        leaves = min(max(leaves, _FINE), _ROUGH)
+        touch.goal[0] = max(leaves * leaves * square, _TINY)
     target = touch.goal[0]
     ring, size, iterations = 0, count, 0
     while not square <= target and iterations < min(cap, _MOST):
@@ -148,16 +176,17 @@ def correct_near(op: Operator, work: Workspace, touch: ContactWork, cap: int, la
     most = 0.0
     for place in range(size):
         i = reach[place]
-        more = load(answer, i, lanes)
+        more = gain * load(answer, i, lanes)
         store(work.mean, i, load(work.mean, i, lanes) + more, lanes)
         store(direction, i, zero, lanes)
         most = max(most, total(more * more))
         if place >= count:
             mark[i] = 0
             continue
-        left = load(touch.push, i, lanes)
+        said = load(touch.said, i, lanes)
+        left = said + gain * (load(touch.push, i, lanes) - said)
         for a in range(axes):
-            left = left - answer[i, a] * load(stiff, 3 * place + a, lanes)
+            left = left - gain * answer[i, a] * load(stiff, 3 * place + a, lanes)
         store(touch.said, i, left, lanes)
     touch.quick[0] += math.sqrt(most if axes == 3 else 3.0 * most)
     return iterations

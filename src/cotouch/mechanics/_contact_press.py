@@ -13,6 +13,7 @@ from typing import Any
 from cotouch.mechanics._contact_law import press
 from cotouch.mechanics._contact_patch import press_triangle
 from cotouch.mechanics._contact_relief import press_relief
+from cotouch.mechanics._contact_skin import forget_hits, note_hit
 from cotouch.mechanics._contact_snap import draw_tool
 from cotouch.mechanics._contact_sweep import bead_place, beads
 from cotouch.mechanics._contact_work import ContactWork
@@ -115,6 +116,7 @@ def _sum(
             if share == 0.0:
                 continue
             work.patch[t] += share * covered
+            note_hit(work, t, c)
             for q in range(3):
                 v = corner[f, q]
                 for a in range(3):
@@ -132,16 +134,16 @@ def _sum(
 def read_skin(surface: Surface, work: ContactWork, t: int) -> None:
     """Works out how fast the skin moves where a tool presses."""
     corner, near, borne, rate, faces = surface.corner, work.near, work.load, work.rate, work.near.shape[1]
+    skin = splat(0.0, FOUR)
     for a in range(3):
         work.skin[t, a] = 0.0
     if work.total[t] <= 0.0:
         return
-    for c in range(work.number[t]):
+    for n in range(work.hits[t]):
+        c = work.hit[t, n]
         for q in range(3):
-            share = borne[t * faces + c, q] / work.total[t]
-            if share != 0.0:
-                for a in range(3):
-                    work.skin[t, a] += share * rate[corner[near[t, c], q], a]
+            skin = skin + borne[t * faces + c, q] * load(rate, corner[near[t, c], q], FOUR)
+    store(work.skin, t, (1.0 / work.total[t]) * skin, FOUR)
 
 
 @part
@@ -203,10 +205,7 @@ def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: in
     Energy along a straight way changes by the mean of its slope, which two points of Gauss's rule give to fourth order.
     Where that way is short, the middle alone is as good.
     """
-    faces = work.near.shape[1]
-    for c in range(work.number[t]):
-        for q in range(3):
-            work.load[t * faces + c, q] = 0.0
+    forget_hits(work, t)
     work.total[t], work.patch[t], work.grip[t, 0], work.grip[t, 1] = 0.0, 0.0, 0.0, 0.0
     for a in range(4):
         work.pull[t, a] = 0.0
@@ -246,9 +245,9 @@ def _resist(surface: Surface, work: ContactWork, tools: Tools, t: int, T: float)
         work.way[t, a] = work.pull[t, a] / size
         approach -= work.way[t, a] * (work.mean[t, a] - work.skin[t, a])
     corner, near = surface.corner, work.near
-    for c in range(work.number[t]):
+    for n in range(work.hits[t]):
         for q in range(3):
-            v, long = corner[near[t, c], q], 0.0
+            v, long = corner[near[t, work.hit[t, n]], q], 0.0
             if work.firm[v] > 0.0:
                 for a in range(3):
                     long += work.force[v, a] * work.force[v, a]
@@ -268,7 +267,8 @@ def _resist(surface: Surface, work: ContactWork, tools: Tools, t: int, T: float)
     work.grip[t, 0] += damper
     work.grip[t, 1] += grip + film
     extra = damper + grip + film
-    for c in range(work.number[t]):
+    for n in range(work.hits[t]):
+        c = work.hit[t, n]
         for q in range(3):
             part_of = work.load[t * faces + c, q] / work.total[t]
             if part_of != 0.0:

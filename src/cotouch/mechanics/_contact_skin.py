@@ -9,7 +9,7 @@ from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._surface import Surface, box_distance, place_vertex
 from cotouch.mechanics._tools import Tools
-from cotouch.mechanics._vector import FOUR, load, splat, store, total, upper
+from cotouch.mechanics._vector import FOUR, at, load, splat, store, total, upper
 
 
 @part
@@ -41,10 +41,12 @@ def fastest(surface: Surface, velocity: Float, lanes: tuple[int, ...]) -> float:
 def look_around(
     surface: Surface, work: ContactWork, tools: Tools, t: int, reach: float, position: Float, lanes: tuple[int, ...]
 ) -> None:
-    """Notes every triangle that is no farther from the middle of a tool."""
+    """Notes every triangle that is no farther from the middle of a tool, and how far all are at least."""
     fit, stack, near = work.fit, work.stack, work.near
     place, corner, child, leaf = fit.place, surface.corner, surface.child, surface.leaf
     hidden = fit.hidden
+    forget_hits(work, t)
+    least = reach * reach
     x, y, z = tools.place[t, 0], tools.place[t, 1], tools.place[t, 2]
     count, waiting = 0, 1
     stack[0] = 0
@@ -73,7 +75,27 @@ def look_around(
             if gap <= reach * reach:
                 near[t, count] = f
                 count += 1
-    work.number[t] = count
+                least = min(least, gap)
+    work.number[t], work.clear[t] = count, math.sqrt(least)
+
+
+@part
+def forget_hits(work: ContactWork, t: int) -> None:
+    """Begins with no triangle that a tool does anything on."""
+    faces = work.near.shape[1]
+    for n in range(work.hits[t]):
+        store(work.load, t * faces + work.hit[t, n], splat(0.0, FOUR), FOUR)
+    work.hits[t] = 0
+
+
+@part
+def note_hit(work: ContactWork, t: int, c: int) -> None:
+    """Notes that a tool does something on one of the triangles near it."""
+    place = t * work.near.shape[1] + c
+    if work.load[place, 3] == 0.0:
+        work.load[place, 3] = 1.0
+        work.hit[t, work.hits[t]] = c
+        work.hits[t] += 1
 
 
 @part
@@ -94,19 +116,21 @@ def read_rates(surface: Surface, work: ContactWork, t: int, mean: Float, lanes: 
                     speed = speed + load(mean, i, lanes) * load(shape, v * rows + i, FOUR)
                 store(rate, v, speed, FOUR)
                 continue
+            if row.shape[2] == 1:
+                for k in range(row.shape[1]):
+                    speed = speed + at(weight, (v, k)) * load(mean, at(row, (v, k, 0)), FOUR)
+                store(rate, v, speed, FOUR)
+                continue
             for a in range(3):
                 value = 0.0
                 for k in range(row.shape[1]):
-                    if row.shape[2] == 1:
-                        value += weight[v, k] * mean[row[v, k, 0], a]
-                    else:
-                        value += weight[v, k] * mean[row[v, k, a], 0]
+                    value += weight[v, k] * mean[row[v, k, a], 0]
                 rate[v, a] = value
 
 
 @part
 def load_rows(surface: Surface, work: ContactWork, t: int, diagonal: Float) -> None:
-    """Hands on to the body's rows what the vertices near a tool carry, and takes it off them.
+    """Hands on to the body's rows what the vertices that a tool acts on carry, and takes it off them.
 
     Args:
         surface: the skin.
@@ -114,41 +138,46 @@ def load_rows(surface: Surface, work: ContactWork, t: int, diagonal: Float) -> N
         t: the tool.
         diagonal: of a modal body's system without contacts [Ns/m].
     """
-    row, weight, shape, corner = surface.row, surface.weight, surface.shape, surface.corner
-    near, force, firm, push, hold = work.near, work.force, work.firm, work.push, work.hold
-    ward, apart, stiff = work.ward, work.apart, work.stiff
-    modal, rows, wide = shape.shape[0] > 0, push.shape[0], push.shape[1] > 1
-    for c in range(work.number[t]):
+    corner, near, hit = surface.corner, work.near, work.hit
+    for n in range(work.hits[t]):
         for q in range(3):
-            v = corner[near[t, c], q]
-            whole = firm[v] + apart[v]
-            if whole == 0.0 and force[v, 0] == 0.0 and force[v, 1] == 0.0 and force[v, 2] == 0.0:
-                continue
+            _load_vertex(surface, work, corner[near[t, hit[t, n]], q], diagonal)
+    for q in range(3 if work.caught[t, 0] != 0.0 else 0):
+        _load_vertex(surface, work, corner[int(work.caught[t, 1]), q], diagonal)
+
+
+@part
+def _load_vertex(surface: Surface, work: ContactWork, v: int, diagonal: Float) -> None:
+    row, weight, shape, force, push, hold = surface.row, surface.weight, surface.shape, work.force, work.push, work.hold
+    ward, stiff, rows, wide = work.ward, work.stiff, push.shape[0], push.shape[1] > 1
+    firm, apart = work.firm[v], work.apart[v]
+    whole = firm + apart
+    if whole == 0.0 and force[v, 0] == 0.0 and force[v, 1] == 0.0 and force[v, 2] == 0.0:
+        return
+    if shape.shape[0] > 0:
+        for a in range(3):
+            for i in range(rows):
+                share = shape[v * rows + i, a]
+                push[i, a if wide else 0] += force[v, a] * share
+                if a == 0 or not wide:
+                    work.yields[a] += whole * share * share / diagonal[i]
+    elif row.shape[2] == 1:
+        along = load(ward, v, FOUR)
+        for k in range(row.shape[1]):
+            share, i = at(weight, (v, k)), at(row, (v, k, 0))
+            store(push, i, load(push, i, FOUR) + share * load(force, v, FOUR), FOUR)
+            place = 3 * touched(work, i)
+            share = surface.swing * abs(share)  # one below 0, of what is rigid, resists as well
+            hold[i] += share * whole
             for a in range(3):
-                value = force[v, a]
-                force[v, a] = 0.0
-                if modal:
-                    for i in range(rows):
-                        share = shape[v * rows + i, a]
-                        push[i, a if wide else 0] += value * share
-                        if a == 0 or not wide:
-                            work.yields[a] += whole * share * share / diagonal[i]
-                    continue
-                for k in range(row.shape[1]):
-                    share = weight[v, k]
-                    if row.shape[2] == 1:
-                        i = row[v, k, 0]
-                        push[i, a] += share * value
-                        place = 3 * touched(work, i) + a
-                        share = surface.swing * abs(share)  # one below 0, of what is rigid, resists as well
-                        if a == 0:
-                            hold[i] += share * whole
-                        stiff[place, a] += share * apart[v]
-                        for b in range(3):
-                            stiff[place, b] += share * firm[v] * ward[v, a] * ward[v, b]
-                    else:
-                        i = row[v, k, a]
-                        push[i, 0] += share * value
-                        hold[i] += share * whole
-                        stiff[3 * touched(work, i), 0] += share * whole
-            firm[v], apart[v] = 0.0, 0.0
+                store(stiff, place + a, load(stiff, place + a, FOUR) + (share * firm * ward[v, a]) * along, FOUR)
+                stiff[place + a, a] += share * apart
+    else:
+        for a in range(3):
+            for k in range(row.shape[1]):
+                share, i = weight[v, k], row[v, k, a]
+                push[i, 0] += share * force[v, a]
+                hold[i] += share * whole
+                stiff[3 * touched(work, i), 0] += share * whole
+    store(force, v, splat(0.0, FOUR), FOUR)
+    work.firm[v], work.apart[v] = 0.0, 0.0

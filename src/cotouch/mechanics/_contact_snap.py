@@ -13,6 +13,7 @@ from math import pi
 from cotouch.arrays import Float
 from cotouch.mechanics._contact_foundation import Foundation, stiffness_of
 from cotouch.mechanics._contact_patch import press_triangle
+from cotouch.mechanics._contact_skin import note_hit
 from cotouch.mechanics._contact_sweep import bead_place, beads
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import part
@@ -121,6 +122,7 @@ def draw_tool(
             energy += drawn[3, 3]
             if share == 0.0:
                 continue
+            note_hit(work, t, c)
             for q in range(3):
                 v, firm = corner[f, q], share * time * drawn[3, q]
                 for a in range(3):

@@ -4,7 +4,7 @@
 from cotouch.arrays import Float
 from cotouch.mechanics._contact_near import say
 from cotouch.mechanics._contact_work import ContactWork
-from cotouch.mechanics._direction import FEW, miss
+from cotouch.mechanics._direction import FEW, lack, miss
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._operator import Operator, row_product
 from cotouch.mechanics._solve import solve_step
@@ -20,20 +20,21 @@ def solve_touched(
     ports: Ports,
     touch: ContactWork,
     work: Workspace,
+    T: float,
     number: int,
     modal: bool,
-    near: bool,
+    corrects: bool,
+    material: bool,
     ledger: Float,
     tolerance: float,
     cap: int,
     lanes: tuple[int, ...],
 ) -> None:
-    """Solves the body with what contacts were found to do; after the first time, corrects it by a coarse solve.
+    """Solves the body with what contacts were found to do, or corrects the rate that was found by a coarse solve.
 
     Diagonal and right-hand side are without contacts again afterwards.
     """
     mean, rhs, push, own, asked = work.mean, work.rhs, touch.push, touch.own, touch.asked
-    coarse = number > 0 and near
     if modal:  # as much of the change as its answer leaves
         share = 1.0 / (1.0 + max(touch.yields[0], touch.yields[1], touch.yields[2]))
         for i in range(mean.shape[0]):
@@ -41,7 +42,7 @@ def solve_touched(
             if number > 0:
                 store(push, i, before + share * (load(push, i, lanes) - before), lanes)
             store(touch.found, i, load(push, i, lanes), lanes)
-    if modal or coarse:
+    if modal or corrects:
         for i in range(mean.shape[0]):
             store(asked, i, load(rhs, i, lanes), lanes)
             if modal:
@@ -52,10 +53,13 @@ def solve_touched(
         store(asked, i, load(rhs, i, lanes), lanes)
         work.diagonal[i] += touch.hold[i]
         store(rhs, i, load(rhs, i, lanes) + load(push, i, lanes), lanes)
-    if not coarse:
+    if not corrects:
         ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, 0, cap, lanes)
     else:
-        miss(op, work.diagonal, rhs, work, rhs, lanes)
+        if material:  # the tension is all that is done inside
+            lack(op, T, work, lanes)
+        else:
+            miss(op, work.diagonal, rhs, work, rhs, lanes)
         for i in range(mean.shape[0]):
             store(touch.found, i, load(mean, i, lanes), lanes)
         ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, _COARSE), FEW, cap, lanes)
@@ -65,7 +69,7 @@ def solve_touched(
         i = touch.reach[c]
         work.diagonal[i] = own[i]
         store(rhs, i, load(asked, i, lanes), lanes)
-    if modal or coarse:
+    if modal or corrects:
         for i in range(mean.shape[0]):
             store(rhs, i, load(asked, i, lanes), lanes)
     say(touch, mean, lanes)

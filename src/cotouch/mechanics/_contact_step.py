@@ -9,12 +9,12 @@ import math
 from typing import Any
 
 from cotouch.arrays import Float
-from cotouch.mechanics._balance import MOTION
 from cotouch.mechanics._balance_parts import hold_parts
 from cotouch.mechanics._contact_balance import balanced, dot_rows
 from cotouch.mechanics._contact_catch import begin_catch, catch
 from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_rows, tell
 from cotouch.mechanics._contact_press import feel_tool, press_tool
+from cotouch.mechanics._contact_settled import changed, settled
 from cotouch.mechanics._contact_skin import fastest, load_rows, look_around, read_rates
 from cotouch.mechanics._contact_snap import begin_snap, end_snap, owed_drag
 from cotouch.mechanics._contact_solve import lacking, solve_touched
@@ -35,11 +35,8 @@ from cotouch.mechanics._vector import load, splat, store
 from cotouch.mechanics._world_force import looks_of, take_up
 from cotouch.mechanics._world_lean import lean_world
 
-# Looks at most; the change of forces at which they end, and at which one more correction is enough.
-_LOOKS = 12
-_SETTLED, _NEARLY, _EXACT = 1e-6, 1e-3, 1e-9
-# Of the energy of a body that moves, what forces that have settled may still leave to its closure.
-_LITTLE = 1e-5
+# Looks at most; the change of forces of a linear body at which one more correction is enough.
+_LOOKS, _NEARLY = 12, 1e-3
 _NOTHING = 1e-17  # of the energy in a depth of a tool's radius, it is out of the skin
 # How far a tool looks around beyond its radius, in radii and in ways of a step; below how many radii those are short.
 _MARGIN, _WAYS, _SLOW = 0.05, 3.0, 0.05
@@ -99,37 +96,39 @@ def contact_step(
     forget_rows(touch, lanes)
     look = _begin(law, surface, touch, tools, T, state, touch_ledger, lanes)
     guess = state.velocity
-    ledger[ITERATIONS], looks, directions = 0.0, 1, 1
+    ledger[ITERATIONS], looks, directions, change, enough, last = 0.0, 1, 1, math.inf, 0.0, False
+    # Whether the first look corrects the velocity already: what it leaves, the second finds.
+    begins = corrects = False
     if force is not None:
         for i in range(mean.shape[0]):
             store(mean, i, load(state.velocity, i, lanes), lanes)
         take_up(force.world, state.memory, state.position)
         directions = looks_ahead(state.memory, force.directions, force.cut)
         looks = looks_of(force.world, directions, work.dense.shape[0] > 0)
+        begins = looks > 1 and force.parts is None
     for number in range(_LOOKS + looks):
         empty_rows(touch, lanes)
         touch.yields[0] = touch.yields[1] = touch.yields[2] = 0.0
         if modal:
             for i in range(mean.shape[0]):
                 store(push, i, splat(0.0, lanes), lanes)
-        change = 0.0
+        before, change = change, 0.0
         for t in range(tools.mode.shape[0]):
             if look and (tools.mode[t] == GRASP or (tools.mode[t] == TOUCH and tools.inside[t] == 0)):
                 change = max(change, _look(law, surface, touch, tools, t, T, state, guess, work.diagonal, lanes))
         if number >= looks:
-            exact = near and force is not None
-            if exact and change <= _SETTLED:
-                exact = not _little(op, force, state, touch, tools, T, change)
-            if change <= (_EXACT if exact else _SETTLED):
+            enough = settled(op, force, state, guess, touch, tools, T, change, near, lanes)
+            if change <= enough:
                 break
+            last = near and (change <= _NEARLY if force is None else change * change <= enough * min(before, 1.0))
         if number < looks or not near:
             for c in range(touch.many[0]):
                 i = touch.reach[c]
                 store(push, i, load(push, i, lanes) + hold[i] * load(guess, i, lanes), lanes)
         if number < looks:  # what the body asks for; later looks only tell contacts apart
-            same = True
+            same, corrects = True, near and (number > 0 or begins)
             if force is not None:
-                same = predict(op, force, state, T, True, work, lanes)
+                same = predict(op, force, state, T, not corrects, work, lanes)
                 if same and number >= directions:
                     looks = number  # obstacles are told as well
             assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
@@ -137,14 +136,16 @@ def contact_step(
                 lean_world(force.world, op.copy_scale * op.firmness, mean, work, lanes)
                 hold_ports(op, ports, work)
         if number >= looks and near:
-            ledger[ITERATIONS] += correct_near(op, work, touch, cap, lanes)
+            ledger[ITERATIONS] += correct_near(op, work, touch, enough / change, cap, lanes)
         else:
-            solve_touched(op, ports, touch, work, number, modal, near, ledger, tolerance, cap, lanes)
+            solve_touched(
+                op, ports, touch, work, T, number, modal, corrects, force is not None, ledger, tolerance, cap, lanes
+            )
             touch.quick[0] = fastest(surface, mean, lanes)
         guess = mean
         for t in range(tools.mode.shape[0]):
             _move_tool(touch, t)
-        if near and force is None and number >= looks and change <= _NEARLY:
+        if last:
             break
     for t in range(tools.mode.shape[0]):
         if look and tools.mode[t] == TOUCH:
@@ -152,7 +153,7 @@ def contact_step(
         elif tools.mode[t] == GRASP:
             feel_grasp(surface, touch, tools, t, T, state.position, mean, work.diagonal, False, lanes)
     tell(touch, modal, lanes)
-    if look and near:  # contacts do what the body asks for and nothing else gives
+    if look and near and force is None:  # contacts do what the body asks for and nothing else gives
         free, contact = lacking(op, work, lanes)
     else:
         free, contact = dot_rows(mean, work.rhs, lanes), dot_rows(mean, push, lanes) if look else 0.0
@@ -316,7 +317,7 @@ def _look(
         touch.before[t, a] = touch.pull[t, a]
     if tools.mode[t] == GRASP:
         feel_grasp(surface, touch, tools, t, T, state.position, mean, diagonal, True, lanes)
-        return _change(touch, t)
+        return changed(touch, t)
     _follow(surface, touch, tools, t, T, state, mean, lanes)
     if touch.caught[t, 0] == 0.0 and first_crossing(surface, touch, tools, t, T) < NEVER:
         begin_catch(surface, touch, tools, t)
@@ -326,30 +327,7 @@ def _look(
         return 0.0 if settled else math.inf
     feel_tool(law, surface, touch, tools, t, T)
     load_rows(surface, touch, t, diagonal)
-    return _change(touch, t)
-
-
-@part
-def _little(
-    op: Operator, force: BodyForce | None, state: State, touch: ContactWork, tools: Tools, T: float, change: float
-) -> bool:
-    """Whether what forces still change by is little beside the motion, by which it is closed; what rests has none."""
-    if force is None:
-        return True
-    missed = 0.0
-    for t in range(tools.mode.shape[0]):
-        missed += change * T * _length(touch.pull, t) * _length(touch.mean, t)
-    return force.parts is None and missed <= _LITTLE * op.copy_scale * state.memory[MOTION]
-
-
-@part
-def _change(touch: ContactWork, t: int) -> float:
-    """By which share a tool is pulled otherwise than by the guess before."""
-    change = size = 0.0
-    for a in range(3):
-        change += (touch.pull[t, a] - touch.before[t, a]) ** 2
-        size += touch.pull[t, a] ** 2
-    return math.sqrt(change / size) if size > 0.0 else 0.0 if change == 0.0 else math.inf
+    return changed(touch, t)
 
 
 @part

@@ -25,7 +25,12 @@ def first_crossing(surface: Surface, work: ContactWork, tools: Tools, t: int, T:
     """
     place, rate, mean, middle = work.fit.place, work.rate, work.mean, tools.place
     corner, near, caught = surface.corner, work.near, work.caught
-    earliest = NEVER
+    earliest, long, way = NEVER, 0.0, 0.0
+    for a in range(3):
+        long += tools.axis[t, a] * tools.axis[t, a]
+        way += mean[t, a] * mean[t, a]
+    if work.clear[t] - math.sqrt(long) > T * (work.quick[0] + math.sqrt(way)):
+        return NEVER
     for bead in range(beads(tools, t)):
         along = bead_place(tools, t, bead)
         for c in range(work.number[t]):

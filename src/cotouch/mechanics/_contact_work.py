@@ -22,7 +22,10 @@ class ContactWork(NamedTuple):
         stack: boxes still to be looked at, (_STACK,).
         number: triangles near each tool, (tools,).
         near: which, (tools, F).
-        load: share of the corners of each in the tool's pressure, (tools * F, 4) [N].
+        clear: how far the middle of each tool is from all triangles at least, (tools,) [m].
+        hits: how many of these the last look found to do something, (tools,).
+        hit: which of the near ones, (tools, F).
+        load: share of the corners of each near one in the tool's pressure [N], and 1 if it is one, (tools * F, 4).
         total: their sum, (tools,) [N].
         patch: area at rest of the skin within each tool, (tools,) [m²].
         across: force of friction, film and damping on each tool, (tools, 4) [N].
@@ -41,9 +44,11 @@ class ContactWork(NamedTuple):
         stiff: what resists motion of each of them, a matrix of its axes, (3 rows, width) [Ns/m].
         inverse: of its diagonal with the body's own, (rows, width).
         said: what the last solve took contacts and grasps to do, (rows, width) [N].
+        missed: what forces did on touched rows beside that, (rows, width) [N].
         along: scratch of a correction, 0 outside of it, (rows, width).
         quick: a bound on the speed of every vertex by the present guess, (1,) [m/s].
-        goal: what corrections of this step may leave of work, negative before the first, (1,) [W].
+        goal: what corrections of this step may leave of work, negative before the first [W]; how much of the last was
+            made, and what it missed, (3,).
         own: diagonal of the body's system without contacts, while touched rows have more, (rows,) [Ns/m].
         asked: its right-hand side likewise, (rows, width) [N].
         found: where the last look led, (rows, width) [m/s]; of a modal body what the last look pushed with [N].
@@ -77,6 +82,9 @@ class ContactWork(NamedTuple):
     stack: Int
     number: Int
     near: Int
+    clear: Float
+    hits: Int
+    hit: Int
     load: Float
     total: Float
     patch: Float
@@ -96,6 +104,7 @@ class ContactWork(NamedTuple):
     stiff: Float
     inverse: Float
     said: Float
+    missed: Float
     along: Float
     quick: Float
     goal: Float
@@ -155,6 +164,9 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         stack=np.zeros(_STACK, dtype=np.int32),
         number=np.zeros(tools, dtype=np.int32),
         near=np.zeros((tools, faces), dtype=np.int32),
+        clear=np.zeros(tools),
+        hits=np.zeros(tools, dtype=np.int32),
+        hit=np.zeros((tools, faces), dtype=np.int32),
         load=np.zeros((tools * faces, 4)),
         total=np.zeros(tools),
         patch=np.zeros(tools),
@@ -174,9 +186,10 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         stiff=np.zeros((3 * most, model.width)),
         inverse=np.zeros((most, model.width)),
         said=np.zeros((rows, model.width)),
+        missed=np.zeros((rows, model.width)),
         along=np.zeros((rows, model.width)),
         quick=np.zeros(1),
-        goal=np.zeros(1),
+        goal=np.zeros(3),
         own=np.zeros(rows),
         asked=np.zeros((rows, model.width)),
         found=np.zeros((rows, model.width)),

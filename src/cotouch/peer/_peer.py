@@ -34,6 +34,7 @@ from cotouch.mechanics import (
     contact_parts,
     contact_step,
     mixed_stretch,
+    move_blades,
     push_of,
     settle,
     step,
@@ -139,7 +140,7 @@ class Peer:
         self.tools = tools
         self._surface = surface
         self._soft = None if surface is None else surface.soft
-        self._contact = contact
+        self._contact = None if model.body.tools else contact  # beside tools that are bodies, others are blades
         self._touch_ledger = np.zeros(TOUCH_LEDGER)
         self._rescaled = 0.0
         self.cuts = None if model.cut < 0 else CutSet(model, self.state, tools, index + 1, decides=cuts)
@@ -303,6 +304,8 @@ class Peer:
             contact_step(contact, op, force, state, links, ports, *what, ledger, touched, *rest)
         elif force is not None:
             closed_step(op, force, state, links, ports, *damping, T, own, work, ledger, *rest)
+            if tools is not None:
+                move_blades(tools, T, touched)
         else:
             step(op, state, links, ports, *damping, T, own, work, ledger, *rest)
         # Other copies of the process write there, too.

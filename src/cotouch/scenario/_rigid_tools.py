@@ -92,14 +92,14 @@ def refuse_unfit(body: Body, name: str, *, balls: bool) -> None:
     Args:
         body: with them.
         name: of the first of them.
-        balls: whether there are tools of another kind.
+        balls: whether there are tools that touch or hold as balls do.
 
     Raises:
         ScenarioError: it is so.
     """
     if balls:
         raise ScenarioError(
-            f"{name} is a rigid body, but others of [[tools]] are balls, grasps or blades; take one sort only"
+            f"{name} is a rigid body, but others of [[tools]] are balls or grasps; take one sort only, beside blades"
         )
     rigid = sum(part.body.rigid for part in body.parts)
     if rigid > _MOST_RIGID:

@@ -256,7 +256,7 @@ class Scenario(Table):
         numbers = [number for number, tool in enumerate(self.tools, start=1) if isinstance(tool, RigidToolTable)]
         body = together([*placed, *placed_tools(tools, numbers, self.network.size)])
         if tools:
-            refuse_unfit(body, body.tools[0].name, balls=len(tools) < len(self.tools))
+            refuse_unfit(body, body.tools[0].name, balls=any(tool.kind != "blade" for tool in self.proxies))
         return body
 
     def _places(self, body: Body) -> list[list[float]]:

@@ -53,8 +53,6 @@ def check_hand(command: MoveHand, body: Body, *, cuts: bool) -> None:
     if command.node >= body.holds:
         raise SessionError(f"node is {command.node}; it must be from 0 to {body.holds - 1}, or -1 for what is held")
     if command.mode == "cut":
-        if body.tools:
-            raise SessionError("there is no blade beside rigid tools; lead a tool by pose")
         _check_cuttable(body, cuts)
 
 
@@ -90,8 +88,8 @@ def checked(pointer: Pointer, body: Body, slot: int, *, cuts: bool) -> Pointer:
         raise SessionError(f'the pointer\'s mode is "{pointer.mode}"; it must be grab, ball, blade, pose or free')
     if pointer.mode == "pose":
         _check_tool(pointer.node, body, slot)
-    if pointer.mode in {"ball", "blade"} and body.tools:
-        raise SessionError(f"there is no {pointer.mode} beside rigid tools; grab the body, or lead a tool by pose")
+    if pointer.mode == "ball" and body.tools:
+        raise SessionError("there is no ball beside rigid tools; grab the body, or lead a tool by pose")
     if pointer.mode == "blade":
         _check_cuttable(body, cuts)
     if pointer.mode == "grab" and not 0 <= pointer.node < body.holds:

@@ -68,6 +68,7 @@ class Outcome:
         ends: what the ends of the links came to keep; None where all links are springs, or ran message by message.
         traffic: what senders said; None without a codec.
         cuts: `marks_of` the copies; None of a body that cannot be cut.
+        led: what was recorded of devices that lead rigid tools; None without.
     """
 
     record: Record
@@ -81,6 +82,7 @@ class Outcome:
     ends: Ends | None = None
     traffic: Traffic | None = None
     cuts: Float | None = None
+    led: ToolRecord | None = None
 
 
 def marks_of(memory: Float, first: int, elements: int) -> Float:
@@ -132,8 +134,8 @@ def run_batch(prepared: Prepared) -> Outcome:
     cutting = cutting_of(ready, tools=0 if touching is None else touching.kind.size, decides=may)
     more += 0 if cutting is None else len(CUT_BOOKS)
     leading = deepcopy(prepared.leading)
-    moved = touching if leading is None else leading.touching
-    tools = None if moved is None else tool_record(moved.kind.size, records)
+    tools = None if touching is None else tool_record(touching.kind.size, records)
+    led = None if leading is None else tool_record(leading.touching.kind.size, records)
     wanted = prepared.scenario.record.frames
     moments = np.zeros(0) if wanted is None else np.arange(0.0, prepared.scenario.steps.duration, 1.0 / wanted)
     frames = Frames(moments, np.zeros((moments.size, users, rows, width)), np.zeros(1, dtype=np.int32))
@@ -192,10 +194,11 @@ def run_batch(prepared: Prepared) -> Outcome:
         record,
         scratch,
         touching,
-        None if touching is None else touching.contact,
+        None if touching is None or ready.body.tools else touching.contact,
         cutting,
         leading,
         tools,
+        led,
         frames,
         ends,
         solver.tolerance,
@@ -216,6 +219,7 @@ def run_batch(prepared: Prepared) -> Outcome:
         events=events,
         taken=counter,
         tools=tools,
+        led=led,
         frames=frames.position[:shown],
         frame_time=frames.time[:shown],
         ends=ends,

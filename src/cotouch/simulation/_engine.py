@@ -39,6 +39,7 @@ from cotouch.mechanics import (
     decide_cuts,
     expose,
     kernel,
+    move_blades,
     put,
     settle,
     step,
@@ -87,6 +88,7 @@ def run(
     cutting: Cutting | None,
     leading: Leading | None,
     tool_record: ToolRecord | None,
+    led_record: ToolRecord | None,
     frames: Frames,
     ends: Ends | None,
     tolerance: float,
@@ -95,8 +97,8 @@ def run(
 ) -> int:
     """Runs all events; returns how many were run before the motion left the range of floating point.
 
-    Without tools `touching` and `contact` are None, without devices of rigid tools `leading`, without both
-    `tool_record`. Of a linear body `force` is None, and so are `ends` where all links are springs: what concerns them
+    Without tools `touching`, `contact` and `tool_record` are None, without devices of rigid tools `leading` and
+    `led_record`. Of a linear body `force` is None, and so are `ends` where all links are springs: what concerns them
     is not even compiled. What a law's link holds is its own: then what links did counts as delay work.
 
     Args:
@@ -112,10 +114,11 @@ def run(
         record: written to.
         scratch: of one step; changed in place.
         touching: tools of all users; changed in place.
-        contact: the law by which tools touch.
+        contact: the law by which tools touch; None: these are blades, beside tools that are bodies.
         cutting: of a body that can be cut; None: it cannot.
         leading: devices of rigid tools of all users; changed in place.
         tool_record: written to.
+        led_record: likewise, of devices of rigid tools.
         frames: shapes that are kept for an animation; written to.
         ends: of all links under a law; changed in place.
         tolerance: of the solver, on the residual relative to the right-hand side, > 0.
@@ -145,7 +148,7 @@ def run(
         if touching is not None:
             keep_tools(tool_record, touching, i, 0)
         if leading is not None:
-            keep_tools(tool_record, leading.touching, i, 0)
+            keep_tools(led_record, leading.touching, i, 0)
     if ends is None:
         initial += spring_energies(op, topology, fields, record, scratch, 0, lanes)
     put(record.ticks, (0, 0), initial)
@@ -213,6 +216,25 @@ def run(
                     cap,
                     lanes,
                 )
+            elif force is not None:  # blades beside tools that are bodies
+                closed_step(
+                    op,
+                    force,
+                    state,
+                    links,
+                    ports,
+                    local_damping[i],
+                    extra_damping[i],
+                    T,
+                    i * timing.ring + (k & (timing.ring - 1)),
+                    scratch.work,
+                    ledger,
+                    link_work,
+                    tolerance,
+                    cap,
+                    lanes,
+                )
+                move_blades(tools, T, touching.ledger)
             if cutting is not None:
                 decide_cuts(cutting, state.memory, state.position, tools, i + 1, True)
             after_step(touching, i)
@@ -310,7 +332,7 @@ def run(
             if touching is not None:
                 keep_tools(tool_record, touching, i, (k + 1) // record.every)
             if leading is not None:
-                keep_tools(tool_record, leading.touching, i, (k + 1) // record.every)
+                keep_tools(led_record, leading.touching, i, (k + 1) // record.every)
             if i == timing.reference:
                 tick = (k + 1) // record.every
                 energy = 0.0

@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Float, Long
-from cotouch.body import Body, CutSkin, cut_skin, drawn_parts
+from cotouch.body import Body, CutSkin, cut_skin, drawn_parts, drawn_tools
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Shape
 from cotouch.scenario import WorldTable
@@ -68,13 +68,15 @@ def animation(run: "xr.Dataset", body: Body) -> Animation:
     faces = cut_skin(body) if "cut_time" in run else None
     if faces is not None:
         shape = {"skin": faces.skin, "displacement": frames - body.rest.astype(np.float32)}
-        shape["spans"] = _spans(run, faces)
+        shape["spans"] = _in_their_copies(body, _spans(run, faces), faces)
         shape["parts"] = drawn_parts(body, _colours(tables.get("bodies", [])), faces)
     elif body.skin is not None and body.skin.triangles.size:
         shape = {"skin": body.skin, "displacement": frames - body.rest.astype(np.float32)}
         shape["parts"] = drawn_parts(body, _colours(tables.get("bodies", [])))
         if body.tools:
-            shape["spans"] = _in_their_copies(body, frames.shape[1])
+            always = np.empty((frames.shape[1], body.skin.triangles.shape[0], 2))
+            always[...] = -np.inf, np.inf
+            shape["spans"] = _in_their_copies(body, always)
     else:
         shape = {"vertices": frames, "rest": body.rest, "edges": _edges(body)}
     return Animation(
@@ -101,17 +103,17 @@ def _spans(run: "xr.Dataset", faces: CutSkin) -> Float:
     return np.stack([begin, end], axis=-1)
 
 
-def _in_their_copies(body: Body, users: int) -> Float:
+def _in_their_copies(body: Body, spans: Float, faces: CutSkin | None = None) -> Float:
     """When each triangle of each copy is there, (users, triangles, 2) [s]: a tool only in its user's."""
-    result = np.empty((users, sum(part.skin().triangles.shape[0] for part in body.parts), 2))
-    result[...] = -np.inf, np.inf
-    first = 0
-    for part in body.parts:
-        last = first + part.skin().triangles.shape[0]
-        if part.tool is not None:
-            result[np.arange(users) != part.tool.owner, first:last, 1] = -np.inf
-        first = last
-    return result
+    skin = body.skin if faces is None else faces.skin
+    assert skin is not None
+    corner = skin.triangles[:, 0]
+    for first, last, owner in drawn_tools(body, faces):
+        own = (corner >= first) & (corner < last)
+        for user in range(spans.shape[0]):
+            if user != owner:
+                spans[user, own, 1] = -np.inf
+    return spans
 
 
 def _shapes(world: dict[str, Any]) -> list[Shape]:

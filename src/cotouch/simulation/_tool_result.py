@@ -76,7 +76,7 @@ def leading_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[t
         prepared: what was run.
         outcome: what it recorded.
     """
-    record, leading = outcome.tools, prepared.leading
+    record, leading = outcome.led, prepared.leading
     if record is None or leading is None:
         return {}
     return _device_variables(leading.touching, record, np.array(prepared.led), "rigid_tool")

@@ -1,4 +1,4 @@
-/*! cotouch animation; sources fb4d5027fdd5f5eb8890ce13f73ffb668a761f1ec1796c0579eb180b86429324; with three.js:
+/*! cotouch animation; sources b3af2821e8efd7284a159c9586c50721f74fd85ec5250f2406dd88142f1b534b; with three.js:
 The MIT License
 
 Copyright © 2010-2026 three.js authors
