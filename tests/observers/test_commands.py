@@ -37,7 +37,7 @@ PATH = {"what": "impair", "a": 0, "b": 1}
         ),
         (
             PULL | {"mode": "cut", "at": [0, 0, 0], "to": [0, 0, 1], "edge": [0, 0, 0]},
-            "edge is of no length; it must lead from one end of the blade's edge to the other",
+            "edge has no length; it must lead from one end of the blade's edge to the other",
         ),
         (PULL | {"to": [0, 0]}, "to is [0, 0]; it must be 3 numbers"),
         (PULL | {"to": [0, 0, float("nan")]}, "it must be 3 numbers"),
