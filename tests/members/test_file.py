@@ -123,7 +123,7 @@ def test_the_digest_tells_another_mesh(tmp_path: Path) -> None:
         (SLOTS + "[steps]\nrandom = {low = 0.001, high = 0.002}\n", ScenarioError, "live peers keep"),
         (SLOTS + '[synchronisation]\ndamping = "exact"\n', ScenarioError, "'exact'"),
         (SLOTS + "[synchronisation]\ndamping = [1.0, 2.0]\n", ScenarioError, "[1.0, 2.0]"),
-        (SLOTS + '[synchronisation]\nlaw = "once"\n', ScenarioError, 'law is "once"; live it is "spring"'),
+        (SLOTS + '[synchronisation]\nlaw = "once"\n', ScenarioError, 'law is "once"; a live session needs "spring"'),
         (SLOTS + "[synchronisation]\ndamping_scale = 0.5\n", ScenarioError, "below 1 nothing is passive"),
         (
             SLOTS + 'encoding = "float16"\n[channel]\ncodec = {deadband = 0.1}\n',

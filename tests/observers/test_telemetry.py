@@ -329,7 +329,7 @@ def test_a_recording_that_cannot_be_made_is_told(world: World) -> None:
     world.run(0.1)
     outcome = commanded(world, one.name).outcome(one.name)
     assert outcome is not None
-    assert (outcome.steps, outcome.trouble) == (0, "was not begun: No such file or directory")
+    assert (outcome.steps, outcome.trouble) == (0, "was not started: No such file or directory")
 
 
 def test_a_whole_part_that_is_not_recorded_any_more_is_in_the_status(tmp_path: Path) -> None:

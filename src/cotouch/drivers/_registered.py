@@ -62,7 +62,7 @@ def _present_gamepad() -> Sequence[str]:
 
 FORCE_DIMENSION = Driver(
     name="force_dimension",
-    summary="Force Dimension omega, delta, sigma and lambda, and the Falcon, through their SDK",
+    summary="Force Dimension omega, delta, sigma and lambda, and the Falcon, through the vendor's SDK",
     make=_force_dimension,
     spec=PRESETS["omega"],
     variants=("omega", "delta", "sigma", "lambda", "falcon"),
@@ -97,7 +97,7 @@ TOUCH = Driver(
 
 GAMEPAD = Driver(
     name="gamepad",
-    summary="a gamepad on Linux: sticks lead a point, force rumbles",
+    summary="a gamepad on Linux: sticks move a point, rumble renders force",
     make=_gamepad,
     spec=PASSIVE,
     options={"path": "its event file; else the first gamepad", "speed": "of the point, at most [m/s]; 0.2"},
@@ -109,7 +109,7 @@ GAMEPAD = Driver(
 
 RECORDED = Driver(
     name="recorded",
-    summary="the hand of a recording, played again",
+    summary="the hand of a recording, replayed",
     make=_recorded,
     spec=replace(PASSIVE, name="recorded hand", rate=1000.0, resolution=1e-6),
     options={

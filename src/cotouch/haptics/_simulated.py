@@ -192,7 +192,7 @@ def _make(
 
 SIMULATED = Driver(
     name="simulated",
-    summary="a simulated PHANToM 1.5, Touch or light mass with a hand that goes round",
+    summary="a simulated PHANToM 1.5, Touch or light mass, with a hand that moves in circles",
     make=_make,
     spec=PRESETS["phantom"],
     variants=VARIANTS,

@@ -104,7 +104,7 @@ class SessionRecorder:
                 self._recorder = Recorder(self._file, header, waits=self._waits)
             except RecordingError as error:
                 self._refused = getattr(error.__cause__, "strerror", None) or str(error)
-                self.trouble = f"was not begun: {self._refused}"
+                self.trouble = f"was not started: {self._refused}"
                 return
             if peer.cuts is not None and peer.cuts.by.any():  # of a recording that begins later
                 gone = np.flatnonzero(peer.cuts.by)
