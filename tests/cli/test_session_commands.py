@@ -149,7 +149,7 @@ def test_a_session_from_invitation_to_audit(running: Running, tmp_path: Path) ->
 
     assert taken.wait(PATIENCE) == 2
     assert running.err("taken") == (
-        'cotouch: the host does not let Ann in: the name "Ann" is taken by somebody else in this session; choose '
+        'cotouch: the host does not admit Ann: the name "Ann" is taken by somebody else in this session; choose '
         "another with --name, or ask the host to release it\n"
     )
     assert running.out("taken") == ""

@@ -634,7 +634,9 @@ def test_who_has_another_law_of_that_name_is_told_so() -> None:
     ben = world.join("Ben")
     asking = ben.member._asking
     asking.request = asking.request.model_copy(update={"law": "paid 0123456789abcdef"})
-    with pytest.raises(SessionError, match='links of this session run law "paid", and this machine has another'):
+    with pytest.raises(
+        SessionError, match='links of this session use law "paid", and this machine has a different one'
+    ):
         world.run(3.0)
 
 

@@ -43,7 +43,7 @@ PATH = {"what": "impair", "a": 0, "b": 1}
         (PULL | {"to": [0, 0, float("nan")]}, "it must be 3 numbers"),
         (PULL | {"to": [0, 0, 2e4]}, "it must be 3 numbers"),
         (PULL | {"to": "abc"}, "it must be 3 numbers"),
-        (PATH, "nothing is named"),
+        (PATH, "nothing is given"),
         (PATH | {"delay": -1}, "delay is -1; it must be from 0 to 5 s"),
         (PATH | {"jitter": 5.1}, "jitter is 5.1; it must be from 0 to 5 s"),
         (PATH | {"loss": 1.5}, "loss is 1.5; it must be from 0 to 1"),

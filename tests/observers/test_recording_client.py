@@ -181,7 +181,7 @@ def test_orders_that_cannot_be_are_refused(room: Room) -> None:
         room.recordings.switch(True, 0.0)
     room.commands.steps["Ben"] = 1
     room.recordings.switch(True, 0.0)
-    with pytest.raises(SessionError, match="under way already"):
+    with pytest.raises(SessionError, match="already under way"):
         room.recordings.switch(True, 0.0)
     # Nobody waits for Ann, who does not move.
     room.ends("Ben", 1)

@@ -197,7 +197,7 @@ def test_options_are_replaced_one_by_one() -> None:
     [
         ({"network__links": [[1, 9]]}, ["[1, 9]", "users are numbered 1 to 5"]),
         ({"network__link": 3}, ['no key "link"']),
-        ({"setps__duration": 3}, ['"setps" is no part', "steps"]),
+        ({"setps__duration": 3}, ['"setps" is not a table', "steps"]),
         ({"title__size": 3}, ["title has no options"]),
         ({"hands__path": 3}, ["hands has no options"]),
         ({"network": 3}, ["network is 3", "table"]),

@@ -117,7 +117,7 @@ def test_what_is_wrong_with_a_trace_is_one_sentence(
     ("options", "message"),
     [
         ({"as": "both"}, "channel.trace.as is 'both'"),
-        ({"column": "delay"}, 'column is "delay", which ends in no unit; give unit'),
+        ({"column": "delay"}, 'column is "delay", which does not end in a unit; give unit'),
         ({"most": -1.0}, "channel.trace.most is -1.0"),
         ({"colour": 1}, "channel.trace.colour is not an option"),
     ],
@@ -133,7 +133,7 @@ def test_a_file_that_is_not_there_is_named(tmp_path: Path) -> None:
 
 
 def test_sessions_say_that_they_do_not_emulate_it(tmp_path: Path) -> None:
-    with pytest.raises(ScenarioError, match=r"channel\.trace is for simulations"):
+    with pytest.raises(ScenarioError, match=r"channel\.trace is only for simulations"):
         path_laws(scenario(written(tmp_path)), 0)
 
 

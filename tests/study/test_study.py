@@ -394,7 +394,7 @@ class TestReport:
         marks = len(found.theorem.claims) + len(found.topologies.references) + len(found.solid.claims)
         assert html.count('class="verdict yes"') == marks
         assert 'class="verdict no"' not in html
-        assert "Not everything came out" not in html
+        assert "Not all results are as expected" not in html
 
     def test_chosen_links_are_shown(self, html: str) -> None:
         for links in (BEST, WORST, MISJUDGED):

@@ -61,7 +61,7 @@ def test_people_meet_by_an_invitation_feel_each_other_and_part(tmp_path: Path) -
 
         # A window that is gone takes its part with it; whoever has the invitation can have the slot.
         here.end("Ben", signal.SIGKILL)
-        words(ben, "#banner-lost", "Connecting again")
+        words(ben, "#banner-lost", "Reconnecting")
         until(ann, "!store.state.members[1]?.here")
         shown = str(ann.evaluate("() => window.cotouch.store.scene.invitation"))
         guest = opened(running, here.join("guest", shown), said)

@@ -174,7 +174,7 @@ def test_damping_is_lowered_behind_a_warning_and_restored_with_one_click(here: W
     page.wait_for_selector("#banner-damping", state="hidden")
     assert here.did("damping") == [{"fraction": 0.05}, {"fraction": 1}]
     # Where the button was is no other that does something, and everybody is told that it is over.
-    words(other, "#banner-restored", "All damping is back")
+    words(other, "#banner-restored", "Full damping is restored")
     page.click("#banner-restored >> text=Dismiss")
     page.wait_for_selector("#banner-restored", state="hidden")
     assert here.did("damping") == [{"fraction": 0.05}, {"fraction": 1}]

@@ -158,7 +158,9 @@ def _fetched(control: ControlPlane, invitation: Invitation, digest: bytes, patie
             look = now + _LOOK
             if _abandoned(invitation):
                 where = " and ".join(f"{one.host}:{one.port}" for one in invitation.endpoints)
-                raise TransportError(f"nobody listens at {where}: the session has ended, or its host is not running")
+                raise TransportError(
+                    f"nothing is listening at {where}: the session has ended, or its host is not running"
+                )
         if now > end:
             who = (
                 "no member of the session answered" if not control.present() else "no member has sent the session file"
