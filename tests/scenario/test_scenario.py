@@ -131,7 +131,7 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
         ("{users = ['a', 'b'], spring = [[0, 1], [1, 0]], delay = [[0, '1'], [1, 0]]}", ["delay", "real numbers"]),
         (
             '{users = ["a", "b\\u001b[2J"], spring = [[0, 1], [1, 0]], delay = [[0, 1], [1, 0]]}',
-            ["user 2", r"\x1b", "seen"],
+            ["user 2", r"\x1b", "printable"],
         ),
     ],
 )

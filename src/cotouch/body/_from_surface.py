@@ -159,8 +159,7 @@ def body_from_surface(
         notes = [
             *notes,
             f"Its moments of inertia are up to {100.0 * heavy:.0f} % above the solid's, because its mass is at the "
-            f"corners "
-            "of cells; a higher resolution brings them closer.",
+            "corners of cells; a higher resolution brings them closer.",
         ]
     rows, weights = carriers(shells.vertices, shells.triangles, cells)
     skin = Skin(vertices=shells.vertices, triangles=shells.triangles, nodes=corners[rows], weights=weights)

@@ -76,8 +76,7 @@ def _choice(fractions: Float, part: int | None, name: str) -> int:
         )
         raise BodyError(
             f"{name} has {fractions.size} separate parts ({shown} of its volume) that are not connected; choose one "
-            f"with "
-            "part, or join them"
+            "with part, or join them"
         )
     return 0
 

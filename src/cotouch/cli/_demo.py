@@ -175,8 +175,7 @@ def _print(outcome: "DemoOutcome") -> None:
     console.print(table)
     console.print(
         f"\n{balance(known)} Linked copies ended within {1e3 * outcome.apart:.2f} mm of each other; once coupled, "
-        f"links "
-        f"were {_guarded(outcome.guarded)}.",
+        f"links were {_guarded(outcome.guarded)}.",
         highlight=False,
     )
     console.print(felt_words(known), highlight=False, markup=False)

@@ -152,8 +152,7 @@ def print_tuned(tuned: dict[str, Any]) -> None:
     whose = "" if tuned["rank"] == 1 else " of another choice of links, which is better once tuned,"
     console.print(
         f"Springs{whose} tuned with no user's damping above {number(tuned['damping_limit'], 'Ns/m')}: the slowest "
-        f"mode goes "
-        f"from {number(tuned['before'])} to {number(tuned['after'])} 1/s"
+        f"mode goes from {number(tuned['before'])} to {number(tuned['after'])} 1/s"
         + ("" if tuned["simulated"] is None else f"; a simulated free decay shows {number(tuned['simulated'])} 1/s")
         + f". Springs in N/m: {springs}."
         + (

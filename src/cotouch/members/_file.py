@@ -172,8 +172,7 @@ class SessionFile:
             if named.setdefault(name, table["file"]) != table["file"]:
                 raise SessionError(
                     f'{source} names "{named[name]}" and "{table["file"]}"; files are sent without their folders, so '
-                    f"give "
-                    "them different names"
+                    "give them different names"
                 )
             files[name] = read_bytes((folder or Path()) / table["file"], "mesh", SessionError, MOST_BYTES)
         scenario, options = _made(tables, source, folder)
@@ -342,8 +341,7 @@ def _live(scenario: Scenario, source: str) -> None:
     if sync.damping is not None and sync.damping != "rule":
         raise ScenarioError(
             f'{source}: synchronisation.damping is {sync.damping!r}; in a session it must be "rule", with the ages '
-            f"that are "
-            "measured, or left out"
+            "that are measured, or left out"
         )
     if sync.damping_scale < 1.0:
         raise ScenarioError(

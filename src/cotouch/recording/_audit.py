@@ -118,8 +118,7 @@ def _belong(recordings: Sequence[Recording]) -> None:
         if other.header.session != first.header.session:
             raise RecordingError(
                 f"{other.path} is from session {other.header.session!r}, {first.path} from {first.header.session!r}; "
-                f"give "
-                "recordings of one session"
+                "give recordings of one session"
             )
         same = other.header.body, first.header.body
         own, others = (body.material for body in same)

@@ -116,8 +116,7 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
             neighbour = names.get(other, f"user {user_number(other)}")
             words = (
                 f"the error in what {names[recording.user]} sent to {neighbour} exceeded what its damping had paid "
-                f"for, by "
-                f"{_joule(_most(beyond))}"
+                f"for, by {_joule(_most(beyond))}"
             )
             add("codec", beyond, words, (recording.user, other))
     # Shares that rise as members leave are paid by what the copy lost.
