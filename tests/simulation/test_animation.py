@@ -646,7 +646,7 @@ def test_the_table_shows_no_force_where_there_is_none(running: Browser, tmp_path
 @pytest.mark.parametrize(
     ("script", "headers"),
     [
-        ("HTMLCanvasElement.prototype.getContext = () => null", "needs WebGL2"),
+        ("HTMLCanvasElement.prototype.getContext = () => null", "needs WebGL 2"),
         ("delete window.DecompressionStream", "too old"),
     ],
 )

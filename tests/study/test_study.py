@@ -409,7 +409,7 @@ def test_the_papers_choices_of_links() -> None:
 
 def test_folder_that_cannot_be_made(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    with pytest.raises(OutputError, match="cannot be made"):
+    with pytest.raises(OutputError, match="cannot be created"):
         reproduce(tmp_path / "file" / "folder")
 
 

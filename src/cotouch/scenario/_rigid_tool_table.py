@@ -58,7 +58,7 @@ class PoseHand(Table):
         if not rows and len(self.path) not in {3, 6}:
             raise ValueError(
                 f"path is {self.path}; it must be 3 numbers, 6 with the rotation of the tool, or waypoints of a time "
-                "and these a time"
+                "and such numbers"
             )
         if any(b[0] <= a[0] for a, b in pairwise(rows)):
             raise ValueError(f"the times of path are {[row[0] for row in rows]}; they must increase")
