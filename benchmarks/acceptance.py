@@ -223,7 +223,7 @@ def statics(steps: int) -> Iterator[Row]:
             found.append(f"{100.0 * off:.2g} % with {fine}")
         yield Row(
             "acceptance",
-            f"a cantilever of {model} bent by 0.6 of its length, tip beside the elastica's",
+            f"a cantilever of {model} bent by 0.6 of its length, tip compared with the elastica",
             f"{100.0 * off:.2g} %",
             "≤ 2 %",
             f"{nodes:,} nodes, P L² / EI = {load:g}; {', '.join(found)} cubes over the thickness",

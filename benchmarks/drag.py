@@ -232,7 +232,7 @@ def rows(found: list[Felt]) -> list[Row]:
             continue
         share = (one.felt - OWN) / (spring.felt - OWN)
         how = f"{one.law}, codec," if one.saved else one.law
-        what = f"drag of law {how} beside the rule's, without the body's"
+        what = f"drag of law {how} relative to the rule's, without the body's"
         result.append(Row("laws live", what, f"{share:.3f}", "≤ 0.25", "two processes, 25 ± 10 ms, 5 % lost, 50 N/m"))
     return result
 

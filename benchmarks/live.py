@@ -139,10 +139,10 @@ def latency() -> list[Row]:
             )
         )
     beside = f"{values[1][0] / values[0][0]:.2f} ×; coding, sealing, opening, checking and assembling included"
-    rows.append(Row("live", "— sealed beside raw, p50", f"+{values[1][0] - values[0][0]:.0f} µs", "", beside))
+    rows.append(Row("live", "— sealed compared with raw, p50", f"+{values[1][0] - values[0][0]:.0f} µs", "", beside))
     each = [spent / (1e6 * SECONDS) for spent in busy]
     note = f"raw {each[0]:.0f} µs; once a millisecond; in a loop it takes what the next rows say"
-    rows.append(Row("live", "— of it in the sender", f"{each[1]:.0f} µs", "", note))
+    rows.append(Row("live", "— of which in the sender", f"{each[1]:.0f} µs", "", note))
     return rows
 
 
@@ -184,11 +184,11 @@ def costs() -> list[Row]:
     seconds = {name: 1e6 * float(np.median(times)) for name, times in interleave(work | alone, 30, least=0.01).items()}
     rows = [
         Row("live", f"writing a state of {LAYOUT.rows} nodes, once for all neighbours", f"{seconds['write']:.1f} µs"),
-        Row("live", "heading and sealing, each neighbour", f"{seconds['send']:.1f} µs"),
+        Row("live", "header and sealing, per neighbour", f"{seconds['send']:.1f} µs"),
         Row("live", "opening, reading, checking and assembling", f"{seconds['both'] - seconds['send']:.1f} µs"),
         Row("live", "refusing a forged datagram", f"{seconds['forged']:.1f} µs"),
     ]
-    rows += [Row("live", f"— cipher alone, there and back: {name}", f"{seconds[name]:.1f} µs") for name in alone]
+    rows += [Row("live", f"— cipher alone, round trip: {name}", f"{seconds[name]:.1f} µs") for name in alone]
     return rows
 
 

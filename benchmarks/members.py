@@ -392,7 +392,7 @@ def delay() -> list[Row]:
             f"neighbour's step {middle['use']:.0f} µs",
         ),
         Row(
-            "members", "— raw UDP beside it, p50 / p99 / p99.9", f"{_figures(seen)} µs", "",
+            "members", "— raw UDP for comparison, p50 / p99 / p99.9", f"{_figures(seen)} µs", "",
             f"{seen.size:,} datagrams; to a process that waits for nothing else; sample to force is "
             f"{middle['total'] / over:.0f} × as long",
         ),
@@ -458,7 +458,7 @@ def how_many(tried: Sequence[int] = (8, 16, 24, 32)) -> list[Row]:
         found = users
     return [
         Row(
-            "members", f"members that {os.cpu_count()} cores hold at 100 Hz, 2 neighbours each, ≤ 1 % missed",
+            "members", f"members that {os.cpu_count()} cores sustain at 100 Hz, 2 neighbours each, ≤ 1 % missed",
             f"{'≥ ' if found == tried[-1] else ''}{found}", "",
             f"of {', '.join(map(str, tried))}; {'; '.join(notes)}; limit: {limited}; {load}",
         )

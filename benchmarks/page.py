@@ -189,9 +189,10 @@ def served() -> list[Row]:
                 f"{found['bytes'] / 1e6:.2f} MB/s; {load()}"),
             Row("page", f"{what}: server's share of a core, one page", f"{100.0 * used:.1f} %", GOAL[kind],
                 f"{100.0 * idle:.2f} % while nobody watches; CPU time of its process"),
-            Row("page", f"{what}: pointer sent to Python, p50 / p99", _times(seconds), "p50 ≤ 3 ms",
+            Row("page", f"{what}: from pointer to Python, p50 / p99", _times(seconds), "p50 ≤ 3 ms",
                 f"{seconds.size} pointers, 60 a second; {load()}"),
-            Row("page", f"{what}: pointer to the picture that shows it, p50 / p99", _times(np.array(late["shows"])),
+            Row("page", f"{what}: from pointer to the picture that shows it, p50 / p99",
+                _times(np.array(late["shows"])),
                 "≤ 16 ms" if kind == "3d" else "", "of a screen of 60 Hz, without drawing; the copy answers at once"),
             Row("page", f"{what}: server ready, then first frame to a page", f"{1e3 * ready:.0f} ms, "
                 f"{1e3 * found['first']:.0f} ms", "≤ 1 s", "the page connects, greets and gets scene and frame"),
@@ -224,12 +225,12 @@ def demonstration() -> list[Row]:
     return [
         Row("page", "demonstration, five users, soft body: frames a second", f"{visited['frames']:.1f}", "≥ 55",
             f"{visited['bytes'] / 1e6:.2f} MB/s, 60 pointers a second; {load()}"),
-        Row("page", "demonstration: what one page takes of a core", f"{100.0 * (used - alone):.1f} %", "≤ 10 %",
+        Row("page", "demonstration: share of a core that one page takes", f"{100.0 * (used - alone):.1f} %", "≤ 10 %",
             f"its process with one page {100.0 * used:.1f} %, with none, as the session's host, {100.0 * alone:.1f} %"),
-        Row("page", "demonstration: members' steps that came late, with one page, and with none",
+        Row("page", "demonstration: members' late steps, with one page and with none",
             f"{100.0 * during:.2f} %, {100.0 * before:.2f} %", "alike",
             f"{browser if found['browser'] else 'no browser'}; {load()}"),
-        Row("page", "demonstration: pointer to the picture whose copy has used it, p50 / p99",
+        Row("page", "demonstration: from pointer to the picture whose copy has used it, p50 / p99",
             _times(np.array(visited["shows"])), "≤ 16 ms",
             f"of a screen of 60 Hz, without drawing; {len(visited['shows'])} pointers; mailboxes and a step between"),
     ]  # fmt: skip

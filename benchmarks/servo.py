@@ -86,7 +86,7 @@ def cost(cycles: int = CYCLES) -> list[Row]:
     return [
         Row("servo", f"one cycle: {what}, p50 / p99 / p99.9", _quantiles(values), goal, note)
         for what, values, goal, note in (
-            ("order read, device, coupling, chain, report", whole, "", "simulated device; of 1000 µs"),
+            ("command read, device, coupling, chain, report", whole, "", "simulated device; of 1000 µs"),
             ("— coupling, wall, safety chain, observer", alone, "", ""),
             ("— bare exchange with the simulated device", bare, "", ""),
         )
@@ -176,8 +176,8 @@ _DEATHS = {
     "peer stopped": ("peer", signal.SIGSTOP),
     "servo killed": ("servo", signal.SIGKILL),
     "servo stopped": ("servo", signal.SIGSTOP),
-    "servo killed, no way from outside": ("servo alone", signal.SIGKILL),
-    "servo stopped, no way from outside": ("servo alone", signal.SIGSTOP),
+    "servo killed, device not reachable from outside": ("servo alone", signal.SIGKILL),
+    "servo stopped, device not reachable from outside": ("servo alone", signal.SIGSTOP),
     "guardian killed": ("guardian", signal.SIGKILL),
     "guardian stopped": ("guardian", signal.SIGSTOP),
     "peer and servo killed": ("peer servo", signal.SIGKILL),

@@ -247,7 +247,7 @@ def rivals() -> list[Row]:
                 ),
                 Row(
                     "step",
-                    "— beside ours with links of 60 N/m at every node and their damping",
+                    "— compared with ours, with links of 60 N/m at every node and their damping",
                     _us(seconds["tied"] / steps),
                     "",
                     f"{compiled(tied) / steps:.1f} iterations; ours is then "

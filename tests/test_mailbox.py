@@ -127,7 +127,7 @@ def test_what_is_no_board_is_refused(tmp_path: Path) -> None:
         MailboxReader(tmp_path / "empty")
     for content in (b"x" * 10, b"y" * 500, b"mailbox format 2" + struct.pack("<qq", 5, 8) + b"{}abc" + bytes(99)):
         (tmp_path / "wrong").write_bytes(content)
-        with pytest.raises(InputError, match="no mailbox of this version"):
+        with pytest.raises(InputError, match="not a mailbox of this version"):
             MailboxReader(tmp_path / "wrong")
     MailboxWriter(tmp_path / "there", FIELDS)
     with pytest.raises(InputError, match="File exists"):

@@ -108,7 +108,7 @@ export class Connection {
     if (!socket || socket.readyState !== WebSocket.OPEN) return Promise.resolve({ ok: false, text: "There is no connection to the server." });
     const id = ++this.asked;
     return new Promise((resolve) => {
-      const late = setTimeout(() => this.answer(id, { ok: false, text: "The server did not answer." }), PATIENCE);
+      const late = setTimeout(() => this.answer(id, { ok: false, text: "The server did not respond." }), PATIENCE);
       this.answers.set(id, (told) => {
         clearTimeout(late);
         resolve(told);
@@ -195,7 +195,7 @@ export class Connection {
   private ended(refusal: string, silent = false): void {
     this.socket = null;
     this.greeted = false;
-    for (const id of [...this.answers.keys()]) this.answer(id, { ok: false, text: "The connection was lost before an answer came." });
+    for (const id of [...this.answers.keys()]) this.answer(id, { ok: false, text: "The connection was lost before the server responded." });
     if (refusal) this.store.connected("refused", refusal);
     else if (silent) this.store.connected("silent");
     else if (this.store.connection !== "refused") this.store.connected(this.store.scene ? "lost" : "connecting");

@@ -9,7 +9,7 @@ export interface MoveHand {
   what: "hand";
   slot: number; // the slot of a user, counted from 0
   mode: "script" | "free" | "hold" | "pull" | "wander" | "cut" | "pose"; // one of script, free, hold, pull, wander, cut, pose
-  node?: number; // a node, counted from 0, or -1 for what is held
+  node?: number; // a node, counted from 0, or -1 for the one that is held
   to?: readonly [number, number, number] | null; // 3 numbers, each at most 10000 m
   at?: readonly [number, number, number] | null; // 3 numbers, each at most 10000 m
   edge?: readonly [number, number, number] | null; // 3 numbers, each at most 10000 m

@@ -103,7 +103,7 @@ function aim(context: Context, stage: HTMLElement, picture: () => Picture | null
     event.stopImmediatePropagation();
     if (event.type !== "pointerdown") return;
     const found = picture()?.aim(event.clientX, event.clientY) ?? null;
-    if (!found) return context.say("There is nothing of the object there; click nearer to it.", "warn");
+    if (!found) return context.say("The object is not there; click closer to it.", "warn");
     context.aiming.set(null);
     const held = context.store.frame?.copies.find((copy) => copy.slot === aiming.slot)?.node ?? -1;
     const node = held >= 0 ? held : (context.store.scene?.skin?.node[found.point] ?? found.point);
@@ -151,7 +151,7 @@ export function mountShell(root: HTMLElement, store: Store, connection: Connecti
     say: toast.say,
     async act(command, quiet = false) {
       const told = await connection.do(command);
-      if (!told.ok || !quiet) toast.say(told.text || (told.ok ? "Done." : "It was refused."), told.ok ? "good" : "bad");
+      if (!told.ok || !quiet) toast.say(told.text || (told.ok ? "Done." : "The server refused."), told.ok ? "good" : "bad");
       return told.ok;
     },
   };

@@ -21,7 +21,7 @@ export interface View {
   dispose(): void;
 }
 
-const SORRY = "The picture needs WebGL 2, which this browser does not give; everything beside it works.";
+const SORRY = "The picture needs WebGL 2, which this browser does not provide; everything else works.";
 
 export interface Stage extends View {
   /** Where a drawn point of one's own copy is, or one that can be seen if none is named [pixels of the window]; null while unknown. */

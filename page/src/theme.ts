@@ -4,7 +4,7 @@ import { button, redraw } from "./panels/dom";
 import type { Store } from "./store";
 
 const NEXT: Record<Theme, Theme> = { auto: "light", light: "dark", dark: "auto" };
-const WORDS: Record<Theme, string> = { auto: "as the system", light: "light", dark: "dark" };
+const WORDS: Record<Theme, string> = { auto: "system", light: "light", dark: "dark" };
 
 /** The next of system, light and dark. */
 export function turnTheme(store: Store): void {

@@ -34,7 +34,7 @@ const grabbing = (context: Context): boolean => {
   return copy?.mode === "grab" || copy?.mode === "ball" || copy?.mode === "pose";
 };
 const force = (context: Context): number => Math.hypot(...(ownCopy(context)?.force ?? [0, 0, 0]));
-const hands = needs("hand", "This page may only watch; go on with →.");
+const hands = needs("hand", "This page may only watch; continue with →.");
 const links = (list: readonly (readonly [number, number])[]): string => list.map(([a, b]) => keyOf(pairOf(a, b))).sort().join(" ");
 
 const cutLinks = ({ store: { state } }: Context): (readonly [number, number])[] => state?.links.filter(([a, b]) => isCut(state, a, b)) ?? [];
@@ -42,8 +42,8 @@ const cutLinks = ({ store: { state } }: Context): (readonly [number, number])[] 
 export const STEPS: readonly Step[] = [
   {
     title: "Take hold",
-    words: "This is one object, held by several people. Each of them has a copy of it, and yours is the solid one.",
-    task: "Press on the object, and drag.",
+    words: "This is one object, held by several people. Each of them has a copy of it; yours is the solid one.",
+    task: "Press on the object and drag.",
     where: "#stage",
     needs: hands,
     done: (context) => grabbing(context) && force(context) > 0.02,
@@ -61,8 +61,8 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "See the delay",
-    words: "News travels tens of milliseconds. The other copies do what yours did, but later.",
-    task: "Choose Side by side (or Ghosts), then drag again and look at the others.",
+    words: "Samples take tens of milliseconds to travel. The other copies do what yours did, but later.",
+    task: "Choose Side by side (or Ghosts), then drag again and watch the others.",
     where: "#stage-frame",
     needs: hands,
     done: (context, memory) => {
@@ -74,8 +74,8 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "Pull against somebody",
-    words: "A scripted hand can be told what to do. Two who pull against each other feel each other’s force, through the network.",
-    task: "Unfold another user, tell the hand Hold or Pull, and drag the other way.",
+    words: "You can tell a scripted hand what to do. Two users who pull against each other feel each other’s force through the network.",
+    task: "Expand another user, set the hand to Hold or Pull, and drag the other way.",
     where: (memory) => (memory.told ? "#stage" : "#users"),
     sees: "#stage, #users",
     tab: "users",
@@ -89,34 +89,34 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "Look at a link",
-    words: "Lines join users. The number is how old the news is that a copy works with. Damping is set so that this age can do no harm.",
-    task: "Choose a link to see both its ends.",
+    words: "Lines link users. The number is the age of the samples that a copy works with. Damping is set so that this age does no harm.",
+    task: "Select a link to see both ends.",
     where: "#network",
     sees: "#link",
     tab: "network",
     done: (context) => context.link.get() !== null,
   },
   {
-    title: "Cut it",
-    words: "Networks fail. When news stays away, both ends let go of their spring without a kick, and everybody else goes on.",
-    task: "Press Cut, and watch the line and the verdict on top.",
+    title: "Cut a link",
+    words: "Networks fail. When samples stop arriving, both ends let go of their spring without a jolt, and everybody else carries on.",
+    task: "Press Cut, and watch the line and the verdict at the top.",
     where: "#link, #network",
     sees: "#network, #verdict",
     tab: "network",
-    needs: needs("cut", "Links cannot be cut from here; go on with →."),
+    needs: needs("cut", "Links cannot be cut from here; continue with →."),
     done: (context) => cutLinks(context).length > 0,
   },
   {
-    title: "Mend it",
-    words: "When news comes again, the ends first catch up and save energy, and couple only when both can pay for it.",
-    task: "Press Mend, and wait until the link is coupled again.",
+    title: "Reconnect it",
+    words: "When samples arrive again, both ends first catch up and save energy; they couple only when both can pay for it.",
+    task: "Press Reconnect, and wait until the link is coupled again.",
     where: "#link, #network",
     sees: "#network, #verdict",
     tab: "network",
     needs: (context, memory) =>
-      !can(context, "cut") ? "Links cannot be mended from here; go on with →."
+      !can(context, "cut") ? "Links cannot be reconnected from here; continue with →."
         : cutLinks(context).length || memory.cut ? null
-        : "No link is cut. Go back with ← to cut one, or on with →.",
+        : "No link is cut. Go back with ← to cut one, or continue with →.",
     done: (context, memory) => {
       const { state } = context.store;
       const all = (memory.cut ??= []) as (readonly [number, number])[];
@@ -125,13 +125,13 @@ export const STEPS: readonly Step[] = [
     },
   },
   {
-    title: "Join them badly",
-    words: "Over which links users are joined matters. With the worst choice of as many links copies agree late; with the best, soonest.",
+    title: "Choose bad links",
+    words: "It matters which users are linked. With the same number of links, copies agree soonest with the best choice and latest with the worst.",
     task: "Choose Worst, drag and let go; then choose Best.",
     where: "#topology",
     sees: "#stage, #network",
     tab: "network",
-    needs: needs("links", "Links are not chosen here; go on with →."),
+    needs: needs("links", "Links cannot be chosen from here; continue with →."),
     done: ({ store }, memory) => {
       const { state } = store;
       if (!state) return false;
@@ -142,7 +142,7 @@ export const STEPS: readonly Step[] = [
   },
   {
     title: "Follow the energy",
-    words: "Every joule is booked: put in by hands, added by delays, damped, or still in the copies. Both bars are equally long, always.",
+    words: "Every joule is accounted for: put in by hands, added by delays, damped, or still in the copies. Both bars are always equally long.",
     task: "Drag the object, and see what you put in.",
     where: "#energy",
     sees: "#stage",
@@ -154,13 +154,13 @@ export const STEPS: readonly Step[] = [
     },
   },
   {
-    title: "Take the guarantee away",
-    words: "Below the damping that delays ask for, nothing keeps energy from growing. See it once: after some seconds a copy runs away, is caught, and all damping is back.",
-    task: "Lower the damping and watch. Restore it, or wait until it comes back by itself.",
+    title: "Remove the guarantee",
+    words: "With less damping than the delays need, nothing keeps energy from growing. See for yourself: within seconds a copy runs away, is caught, and full damping is restored.",
+    task: "Lower the damping and watch. Restore it, or wait until it is restored automatically.",
     where: (memory) => (memory.lowered ? "#stage-frame" : "#margin"),
     sees: "#stage-frame, #margin",
     tab: "margin",
-    needs: needs("damping", "Damping is not changed from here; this was the last step."),
+    needs: needs("damping", "Damping cannot be changed from here; this was the last step."),
     done: ({ store }, memory) => {
       const share = store.state?.damping ?? 1;
       if (share < 1) memory.lowered = true;
@@ -200,9 +200,9 @@ export function tour(context: Context, root: HTMLElement): { open: () => void; i
   const task = h("span", null);
   const asked = h("p", { class: "tour-task", role: "status" }, sign, task);
   const dots = h("div", { class: "tour-dots", "aria-hidden": "true" }, ...STEPS.map(() => h("i")));
-  const back = button("Back", () => go(at - 1), { class: "button small", label: "Step before (←)" });
+  const back = button("Back", () => go(at - 1), { class: "button small", label: "Previous step (←)" });
   const next = button("Next", () => (at + 1 < STEPS.length ? go(at + 1) : end(true)), { class: "button small", label: "Next step (→)", id: "tour-next" });
-  const leave = button("", () => end(false), { icon: "close", class: "button bare", label: "Leave the tour (Esc); it can be taken up again" });
+  const leave = button("", () => end(false), { icon: "close", class: "button bare", label: "Leave the tour (Esc); you can resume it later" });
   const card = h(
     "div",
     { class: "tour-card", id: "tour", role: "dialog", "aria-modal": "false", "aria-labelledby": "tour-title", "aria-describedby": "tour-words", tabindex: -1, hidden: true },
@@ -221,7 +221,7 @@ export function tour(context: Context, root: HTMLElement): { open: () => void; i
     "div",
     { class: "tour-offer", id: "tour-offer", role: "region", "aria-label": "Tour", hidden: true },
     icon("tour", 18),
-    h("span", null, "New here? Two minutes show you everything."),
+    h("span", null, "New here? Take a two-minute tour."),
     begin,
     later,
   );
@@ -255,7 +255,7 @@ export function tour(context: Context, root: HTMLElement): { open: () => void; i
     const missing = step.needs?.(context, memory) ?? null;
     if (!finished.has(at) && missing === null && step.done(context, memory)) {
       finished = new Set([...finished, at]);
-      context.say(at + 1 < STEPS.length ? "Done. Go on when you like." : "That was everything.", "good");
+      context.say(at + 1 < STEPS.length ? "Done. Continue when you like." : "That was the last step.", "good");
     }
     const done = finished.has(at);
     attribute(card, "data-done", done ? "" : null);
@@ -291,7 +291,7 @@ export function tour(context: Context, root: HTMLElement): { open: () => void; i
     card.hidden = hole.hidden = true;
     save(over ? 0 : at, true);
     if (over) finished = new Set();
-    else context.say(`You can take the tour up again at step ${at + 1}.`);
+    else context.say(`You can resume the tour at step ${at + 1}.`);
     document.getElementById("tour-open")?.focus();
   };
   document.addEventListener(

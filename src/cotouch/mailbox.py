@@ -94,7 +94,7 @@ class MailboxWriter:
                 raise FileExistsError(17, os.strerror(17))
             handle = os.open(part, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600)
         except OSError as error:
-            raise InputError(f"the mailbox {path} cannot be made: {error.strerror}") from error
+            raise InputError(f"the mailbox {path} cannot be created: {error.strerror}") from error
         try:
             os.truncate(handle, layout.total)
             self._map = mmap.mmap(handle, layout.total)
@@ -152,7 +152,7 @@ class MailboxReader:
         try:
             self._layout = self._described()
         except (ValueError, KeyError, TypeError, struct.error) as error:
-            raise InputError(f"the file {path} is no mailbox of this version; remove it and start anew") from error
+            raise InputError(f"the file {path} is not a mailbox of this version; remove it and start again") from error
 
     def _described(self) -> _Layout:
         magic, length, size = _HEAD.unpack_from(self._map)

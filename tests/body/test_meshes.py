@@ -206,7 +206,7 @@ class TestGround:
         )
         assert body.origin is not None
         assert np.allclose(body.rest[body.origin.held][:, 0], 0.0)
-        assert "1 point of no tetrahedron left out." in body.origin.notes
+        assert "1 point in no tetrahedron left out." in body.origin.notes
 
     def test_a_lattice_plane_reaches_half_a_cell(self):
         body = body_from_surface(
@@ -227,7 +227,7 @@ class TestGround:
         values = np.linalg.eigvalsh(body.stiffness.toarray())
         assert np.count_nonzero(values < 1e-9 * values.max()) == free
         heard = " ".join(body.origin.notes)
-        assert ("Held by nothing" in heard) == (free == 6)
+        assert ("Nothing holds it" in heard) == (free == 6)
         assert (f"leaves {free} rigid motion" in heard) == (0 < free < 6)
 
     @pytest.mark.parametrize(
@@ -272,7 +272,7 @@ class TestParts:
         assert small.skin.vertices.min(axis=0).tolist() == [4.0, 0.0, 0.0]
         assert small.rest.min() == 0.0
         assert small.origin is not None
-        assert "Part 2 of 2 taken." in small.origin.notes
+        assert "Part 2 of 2 used." in small.origin.notes
         with pytest.raises(BodyError, match="part is 3; arrays has parts 1 to 2"):
             body_from_surface(self.two, unit="m", part=3)
 
@@ -316,7 +316,7 @@ class TestTetrahedra:
         plain = body_from_tetrahedra((points, elements), unit="m")
         assert abs(body.stiffness - plain.stiffness).max() < 1e-12 * abs(plain.stiffness).max()
         assert body.origin is not None
-        assert any("tetrahedra turned round" in note for note in body.origin.notes) == bool(chosen)
+        assert any("tetrahedra were inverted" in note for note in body.origin.notes) == bool(chosen)
 
     def test_flat_and_repeated_elements_go(self):
         points, elements = block((2, 1, 1))
@@ -346,7 +346,10 @@ class TestRefused:
     @pytest.mark.parametrize(
         ("options", "message"),
         [
-            ({"unit": None}, 'the unit of arrays is not given and no mesh says it; give unit "m", "mm", "cm" or "in"'),
+            (
+                {"unit": None},
+                'the unit of arrays is not given, and the mesh does not state it; give unit "m", "mm", "cm" or "in"',
+            ),
             ({"unit": "inch"}, 'the unit of arrays is "inch"; it must be "m", "mm", "cm" or "in"'),
             ({"young": 0.0}, "young is 0.0; it must be more than 0 Pa"),
             ({"young": np.nan}, "young is nan; it must be more than 0 Pa"),
@@ -409,7 +412,7 @@ def test_resolution_and_limits():
 def test_locking_is_said():
     body = made("solid elastic", poisson=0.49)
     assert body.origin is not None
-    assert any("0.49: so near to 0.5 linear elements are too stiff" in note for note in body.origin.notes)
+    assert any("0.49: this close to 0.5, linear elements are too stiff" in note for note in body.origin.notes)
 
 
 @pytest.mark.parametrize("name", ["liver", "kidney", "gear"])
@@ -421,7 +424,7 @@ def test_example_shapes(name: str):
     body = body_from_surface((points, faces), unit="mm", resolution=16)
     assert body.origin is not None
     *inertia, held = body.origin.notes
-    assert held == "Held by nothing: pushed, it flies off. Give ground and ground_stiffness to hold it."
+    assert held == "Nothing holds it: when pushed, it flies off. Give ground and ground_stiffness to hold it."
     assert all(note.startswith("Its moments of inertia are up to") for note in inertia)
     assert body.mass.sum() == pytest.approx(1000.0 * volume(points, faces) * 1e-9, rel=1e-6)
     assert body.skin is not None

@@ -55,12 +55,12 @@ def test_surface_formats(tmp_path: Path, name: str):
 def test_gltf_is_in_metres(tmp_path: Path):
     path = written(tmp_path, "a.glb")
     assert np.array_equal(body_from_surface(path, unit="m").rest, body_from_surface(path).rest)
-    with pytest.raises(BodyError, match=r'the unit of .*a.glb is "mm", but glTF is in metres by its standard'):
+    with pytest.raises(BodyError, match=r'the unit of .*a.glb is "mm", but glTF files are always in metres'):
         body_from_surface(path, unit="mm")
 
 
 def test_a_unit_is_asked_for(tmp_path: Path):
-    with pytest.raises(BodyError, match=r"the unit of .*a.stl is not given and no mesh says it"):
+    with pytest.raises(BodyError, match=r"the unit of .*a.stl is not given, and the mesh does not state it"):
         body_from_surface(written(tmp_path, "a.stl"))
 
 
@@ -144,7 +144,7 @@ def test_quadratic_tetrahedra_by_their_corners(tmp_path: Path):
     assert body.origin is not None
     assert body.origin.notes[:2] == (
         "Quadratic tetrahedra are used by their corners only.",
-        "6 points of no tetrahedron left out.",
+        "6 points in no tetrahedron left out.",
     )
 
 
@@ -153,7 +153,7 @@ def test_quadratic_tetrahedra_by_their_corners(tmp_path: Path):
     [
         ([("triangle", [[0, 1, 2]])], "has no tetrahedra but 1 triangle; make a tetrahedral mesh of it"),
         ([("hexahedron", [list(range(8))])], "has no tetrahedra but 1 hexahedron"),
-        ([("tetra", [[0, 1, 2, 4]]), ("hexahedron", [list(range(8))])], "has 1 hexahedron beside its tetrahedra"),
+        ([("tetra", [[0, 1, 2, 4]]), ("hexahedron", [list(range(8))])], "has 1 hexahedron besides its tetrahedra"),
     ],
 )
 def test_other_cells_are_refused(tmp_path: Path, cells: Any, message: str):

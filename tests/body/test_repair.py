@@ -44,13 +44,13 @@ def test_flipped_faces_are_turned_round(flipped: set[int]):
     assert is_closed(shells)
     assert shells.volume == pytest.approx(volume(*SPHERE), rel=1e-12)
     if 0 < len(chosen) < len(faces):
-        what = f"{len(chosen)} triangle{'s' * (len(chosen) > 1)} of {len(faces)} turned round"
+        what = f"{len(chosen)} triangle{'s' * (len(chosen) > 1)} of {len(faces)} flipped, so that all face outwards"
         assert shells.notes[0].startswith(what)
 
 
 def test_inside_out_is_turned():
     shells = mended(SPHERE[0], SPHERE[1][:, ::-1])
-    assert shells.notes == ("The surface was inside out; it was turned.",)
+    assert shells.notes == ("The surface was inside out and has been flipped.",)
     assert shells.volume == pytest.approx(volume(*SPHERE))
 
 
@@ -101,9 +101,9 @@ def test_a_cavity_stays_hollow_and_a_part_inside_out_does_not():
     assert (shells.volume, shells.notes) == (pytest.approx(63.0), ("1 cavity kept hollow.",))
     shells = mended(*joined(outer, (beside[0], beside[1][:, ::-1])))
     assert shells.volume == pytest.approx(72.0)
-    assert shells.notes == ("12 triangles of 24 turned round, to have one outside.",)
+    assert shells.notes == ("12 triangles of 24 flipped, so that all face outwards.",)
     all_wrong = joined((outer[0], outer[1][:, ::-1]), inner)
-    assert mended(*all_wrong).notes == ("The surface was inside out; it was turned.", "1 cavity kept hollow.")
+    assert mended(*all_wrong).notes == ("The surface was inside out and has been flipped.", "1 cavity kept hollow.")
 
 
 def test_specks_are_left_out():
@@ -136,7 +136,7 @@ def mobius() -> tuple[np.ndarray, np.ndarray]:
 @pytest.mark.parametrize(
     ("points", "faces", "message"),
     [
-        (*mobius(), "x.stl has one side only, like a Möbius band"),
+        (*mobius(), "x.stl has only one side, like a Möbius band"),
         (box()[0], box()[1][:6], "x.stl is open: closing it would add"),
         (np.eye(3), [[0, 1, 2]], "x.stl is open: closing it would add 100 %"),
         (np.eye(3), [[0, 1, 2], [0, 2, 1], [1, 1, 2]], "x.stl is open"),

@@ -59,12 +59,15 @@ def test_what_holds_a_rigid_one_is_its_own() -> None:
     ("bodies", "said"),
     [
         ([], "there are no bodies; give at least one"),
-        ([("a", BLOCK), ("a", solid())], 'two bodies are named "a"; each needs a name of its own'),
-        ([("", BLOCK)], "a body has an empty name; each needs a name of its own"),
+        ([("a", BLOCK), ("a", solid())], 'two bodies are named "a"; each needs a different name'),
+        ([("", BLOCK)], "a body has an empty name; each needs a different name"),
         ([("p", point())], 'body "p" has 1 axes; bodies meet by their skins, so take it from a mesh or a lattice'),
         ([("p", chain(3, dimension=3))], 'body "p" has no skin; bodies meet by their skins'),
         ([("m", lattice((3, 3, 3), ground="z-", ground_stiffness=1.0).truncated(modes=3))], 'body "m" is truncated'),
-        ([("t", together([Placed(body=BLOCK, name="a")]))], 'body "t" is several itself; list them one by one'),
+        (
+            [("t", together([Placed(body=BLOCK, name="a")]))],
+            'body "t" consists of several bodies; list them one by one',
+        ),
     ],
 )
 def test_what_is_no_set_of_bodies_is_one_sentence(bodies: list[tuple[str, Body]], said: str) -> None:

@@ -177,7 +177,7 @@ class TestTruncation:
         [
             ({"modes": 0}, "modes is 0; it must be from 1 to 135, the rows of this body"),
             ({"modes": 136}, "modes is 136; it must be from 1 to 135"),
-            ({"modes": 5}, "modes is 5, but more rigid motions than that are free"),
+            ({"modes": 5}, "modes is 5, but more rigid motions are free"),
             ({"modes": 8, "contacts": [45]}, "contacts names node index 45; this body has nodes 0 to 44"),
         ],
     )

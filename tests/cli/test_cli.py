@@ -197,7 +197,7 @@ def test_body_says_what_was_repaired(shapes: Path, tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     notes = json.loads(done.stdout)["notes"]
     assert notes[0].startswith("1 hole filled")
-    assert "turned round" in notes[1]
+    assert "flipped" in notes[1]
     assert "Held by nothing" in notes[-1]
 
 
@@ -215,7 +215,7 @@ def test_body_says_what_was_repaired(shapes: Path, tmp_path: Path) -> None:
         (["beam.vtu", "--unit", "m", "--ground", "box:9,9,9/10,10,10"], "the ground's box holds no node"),
         (["beam.vtu", "--unit", "m", "--ground", "plane:9,0,0/1,0,0/0.1"], "the plane holds no node"),
         (["nothing.stl", "--unit", "m"], "cannot be read: No such file"),
-        (["text.stl", "--unit", "m"], "cannot be read as STL: there is no mesh in it"),
+        (["text.stl", "--unit", "m"], "cannot be read as STL: it contains no mesh"),
         (["text.vtk", "--unit", "m"], "cannot be read as VTK: "),
         (["text.docx", "--unit", "m"], "it must end in .stl"),
     ],
@@ -243,7 +243,7 @@ def test_simulate_says_who_steps_more_slowly_than_asked(tmp_path: Path) -> None:
     )
     path.write_text(tables + 'mode = "self-paced"\n', encoding="utf-8")
     said = " ".join(here("simulate", path).stdout.split())
-    assert "user 1 takes 100 steps a second instead of 1000, and each lasts so much longer" in said, said
+    assert "user 1 takes 100 steps a second instead of 1000, because it waits for the others" in said, said
     found = json.loads(here("simulate", path, "--json").stdout)
     assert found["rate_hz"]["asked"] == pytest.approx([1000.0, 100.0])
     assert found["rate_hz"]["taken"][1] == pytest.approx(100.0, rel=0.05)

@@ -28,11 +28,11 @@ def shown(factor: float, alarms: int) -> tuple[dict[str, dict[str, object]], str
 def test_a_large_closure_is_told() -> None:
     figures, text = shown(0.05, 7)
     assert figures["closure"] == {"work_j": [2e-3, 4e-3], "largest_factor": 0.05, "alarms": 7}
-    assert "by 5.0e-02 at most; 7 steps by more than 1 %" in text
+    assert "by at most 5.0e-02; 7 steps by more than 1 %" in text
 
 
 def test_a_small_one_is_said_without_a_word_more() -> None:
-    assert shown(1e-5, 0)[1].strip().endswith("at most")
+    assert shown(1e-5, 0)[1].strip().endswith("by at most 1.0e-05")
 
 
 def test_a_linear_body_has_none() -> None:

@@ -41,11 +41,11 @@ def test_orders_are_read_as_they_come_and_answered(capsys: pytest.CaptureFixture
     console.service(0.0)
     said = capsys.readouterr().err.splitlines()
     assert said[0] == "cotouch: 1 Ann, 2 Ben Bo"
-    assert said[1].startswith("cotouch: Ben Bo was sent away")
+    assert said[1].startswith("cotouch: Ben Bo was expelled")
     assert said[2] == 'cotouch: nobody here has the name "Zoe"; there are: Ann'
-    assert said[3] == 'cotouch: "Ann" is here; only a name whose owner is gone can be released'
-    assert said[4].startswith('cotouch: "release" is no order; there are: expel NAME')
-    assert said[5].startswith('cotouch: "sing" is no order')
+    assert said[3] == 'cotouch: "Ann" has joined; only the name of a user who has left can be released'
+    assert said[4].startswith('cotouch: "release" is not a command; commands are: expel NAME')
+    assert said[5].startswith('cotouch: "sing" is not a command')
     assert len(said) == 6
     assert [entry.name for entry in host_of(world).roster.members] == ["Ann"]
     assert len(host_of(world).roster.banned) == 1

@@ -99,4 +99,4 @@ def test_a_recording_that_cannot_be_is_refused_before_anything_else(tmp_path: Pa
     assert done.stderr.startswith("cotouch: ")
     assert done.stderr.count("\n") == 1
     assert str(path) in done.stderr
-    assert "nobody of the session answers" not in done.stderr
+    assert "no member of the session answered" not in done.stderr

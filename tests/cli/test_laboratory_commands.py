@@ -37,7 +37,7 @@ def scenario(tmp_path: Path) -> Path:
 def test_simulate_says_what_the_law_made(scenario: Path) -> None:
     shown = here("simulate", scenario)
     assert shown.returncode == 0
-    assert "wave: made 0 J of its own, at most 0 J" in " ".join(shown.stdout.split())
+    assert "wave: created 0 J, at most 0 J" in " ".join(shown.stdout.split())
     judged = json.loads(here("simulate", scenario, "--json").stdout)["judge"]
     assert judged["law"] == "wave"
     assert judged["kept"]
@@ -54,7 +54,7 @@ def test_simulate_takes_the_default_law_and_another_by_name(scenario: Path) -> N
 def test_simulate_says_that_springs_without_damping_promise_nothing(scenario: Path) -> None:
     scenario.write_text(SCENARIO.replace("LAW", 'law = "spring"\ndamping = 0.0'), encoding="utf-8")
     shown = " ".join(here("simulate", scenario).stdout.split())
-    assert "of its own, promises nothing; its seed is 0 J" in shown
+    assert "J, guarantees nothing; its initial energy is 0 J" in shown
     assert "spring: made 0 J" not in shown
 
 

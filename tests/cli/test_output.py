@@ -85,9 +85,9 @@ def test_after_lowered_damping_nothing_is_called_passive(capsys: pytest.CaptureF
     _print(outcome(lowered=True))
     text = " ".join(printed(capsys).split())
     assert "Passive" not in text
-    assert text.endswith("Nothing was guaranteed while the damping was lowered; links added 633 J in all.")
+    assert text.endswith("While the damping was lowered, nothing was guaranteed; links added 633 J in total.")
     _print(outcome())
-    assert "Passive: nobody got out" in printed(capsys)
+    assert "Passive: nobody took out energy" in printed(capsys)
 
 
 def test_a_plan_sets_the_worst_apart_and_nothing_else(

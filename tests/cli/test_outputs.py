@@ -150,7 +150,7 @@ def test_what_is_read_is_not_written_over(tmp_path: Path, pair: Path) -> None:
         ("simulate", pair, "--figures", tmp_path / "figures"),
         ("body", mesh, "--unit", "mm", "--figures", tmp_path / "figures"),
     ):
-        one_sentence(here(*command), "is read by this command", "would be written over; name another file")
+        one_sentence(here(*command), "is read by this command", "would be overwritten; name another file")
     assert (pair.read_text(), mesh.read_text()) == (PAIR, ROD)
 
 

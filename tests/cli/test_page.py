@@ -115,7 +115,7 @@ class TestDemo:
     def test_a_taken_port_is_said_before_anything_begins(self, asked: dict[str, Any]):
         at = PageAddress(port=0)
         try:
-            with pytest.raises(TransportError, match=f"port {at.port} of 127.0.0.1 cannot be had"):
+            with pytest.raises(TransportError, match=f"port {at.port} of 127.0.0.1 is not available"):
                 CliRunner().invoke(app, ["demo", "--port", str(at.port)], catch_exceptions=False)
         finally:
             at.close()

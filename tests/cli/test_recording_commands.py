@@ -39,7 +39,7 @@ def test_bad_input_ends_with_2_and_one_sentence(tmp_path: Path) -> None:
     for arguments in (("audit", path), ("export", path, "--out", tmp_path / "x.nc")):
         done = here(*arguments)
         assert done.returncode == 2
-        assert done.stderr == f"cotouch: {path}: it is no recording of cotouch, or ends before its head does\n"
+        assert done.stderr == f"cotouch: {path}: it is not a cotouch recording, or ends within its header\n"
     assert not (tmp_path / "x.nc").exists()
 
 

@@ -121,7 +121,7 @@ def test_a_session_from_invitation_to_audit(running: Running, tmp_path: Path) ->
     assert Invitation.decode(line).session == "Two"
     assert "cotouch join -" in running.err("host")
     running.until(
-        lambda: "cotouch: ready, links by law paid; nobody is here yet\n" in running.err("host"), "the host is ready"
+        lambda: "cotouch: ready, link law paid; nobody has joined yet\n" in running.err("host"), "the host is ready"
     )
     assert (tmp_path / "keys").stat().st_mode & 0o077 == 0
 
@@ -149,7 +149,7 @@ def test_a_session_from_invitation_to_audit(running: Running, tmp_path: Path) ->
 
     assert taken.wait(PATIENCE) == 2
     assert running.err("taken") == (
-        'cotouch: the host does not let Ann in: the name "Ann" is taken by somebody else in this session; choose '
+        'cotouch: the host does not admit Ann: the name "Ann" is taken by somebody else in this session; choose '
         "another with --name, or ask the host to release it\n"
     )
     assert running.out("taken") == ""
@@ -163,8 +163,8 @@ def test_a_session_from_invitation_to_audit(running: Running, tmp_path: Path) ->
     assert running.out("Ann").startswith("Ann took ")
     told = [line.removeprefix("cotouch: ") for line in running.err("Ann").splitlines()]
     assert told[0] == "joining ..."
-    assert "ready: Ann is user 1 of 2, links by law paid" in told
-    assert "are recorded" in running.out("Ann")
+    assert "ready: Ann is user 1 of 2, link law paid" in told
+    assert "were recorded" in running.out("Ann")
     assert [path.stat().st_mode & 0o777 for path in recorded] == [0o600, 0o600]
     assert interrupted(host) == 0
 
@@ -222,7 +222,7 @@ def test_who_is_there_when_the_host_ends_the_session_ends_too(running: Running, 
     assert running.out("Ben").startswith("Ben took ")
     watched = running.fork("watch", "measure", "-", "--duration", "2", said=line)
     assert watched.wait(PATIENCE) == 2  # one alone has no way to anybody
-    assert "from two on" in running.err("watch")
+    assert "at least two members" in running.err("watch")
     assert interrupted(host) == 0
     assert ann.wait(PATIENCE) == 0
     assert running.out("Ann").startswith("the host ended the session; ")
@@ -312,7 +312,10 @@ def test_a_demo_that_is_killed_leaves_neither_members_nor_boards(
         (("host", "{missing}.toml"), "cannot be read"),
         (("host", "{file}", "--listen", "my.machine"), "my.machine"),
         (("host", "{file}", "--key-file", "{file}"), "does not hold the keys"),
-        (("host", "{file}", "--law", "once"), '--law is "once"; live it is "spring", or one of those that are passive'),
+        (
+            ("host", "{file}", "--law", "once"),
+            '--law is "once"; a live session needs "spring", or a law that is passive',
+        ),
         (("host", "{file}", "--law", "nought"), 'law is "nought"; it must be one of'),
         (("demo", "--users", "0"), "--users is 0; it must be from 1 to 32"),
         (("demo", "--users", "33"), "--users is 33"),
@@ -343,4 +346,4 @@ def test_what_is_wrong_is_one_sentence(
 def test_nobody_answers(command: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setattr("cotouch.session._join._PATIENCE", 1.0)
     options = ["--json"] if command == "join" else []
-    assert "nobody of the session answers within 1 s" in said(monkeypatch, capsys, command, invitation(), *options)
+    assert "no member of the session answered within 1 s" in said(monkeypatch, capsys, command, invitation(), *options)

@@ -12,11 +12,11 @@ def said(slot: int, **entries: object) -> Status:
 def test_the_law_its_energy_on_the_way_and_its_drag() -> None:
     both = [said(slot, drag=0.5, braked=0.03, moved=0.04) for slot in (0, 1)]
     assert felt_words(both) == (
-        "Law paid: 1 mJ on the way; felt drag 1.50 Ns/m measured and 1.00 Ns/m predicted (people notice 0.8)."
+        "Law paid: 1 mJ on its way; felt drag 1.50 Ns/m measured and 1.00 Ns/m predicted (people notice 0.8 Ns/m)."
     )
     still = [said(slot, law="spring", drag=2.0) for slot in (0, 1)]
-    assert felt_words(still) == "Law spring: felt drag 4.00 Ns/m predicted (people notice 0.8)."
-    assert "felt drag not known until the object moves" in felt_words([said(0)])
+    assert felt_words(still) == "Law spring: felt drag 4.00 Ns/m predicted (people notice 0.8 Ns/m)."
+    assert "felt drag unknown until the object moves" in felt_words([said(0)])
     assert felt_words([]) == ""
 
 
@@ -31,6 +31,6 @@ def test_what_is_sent_and_what_the_codec_saves() -> None:
 
 def test_nobody_is_accused_of_energy_whose_ledger_went_with_who_left() -> None:
     took = [said(0, supplied=-0.062, initial=0.0)]
-    assert verdict(took, left=False) == "NOT PASSIVE: 0.062 J came out that nobody put in."
-    assert "cannot be set against" in verdict(took, left=True)
+    assert verdict(took, left=False) == "NOT PASSIVE: 0.062 J came out that nobody had put in."
+    assert "cannot be judged" in verdict(took, left=True)
     assert verdict([said(0, supplied=0.062)], left=True).startswith("Passive")

@@ -65,12 +65,12 @@ def test_every_cut_is_found():
 @pytest.mark.parametrize(
     ("line", "sentence"),
     [
-        ("", "is no invitation; one begins with 'cotouch:'"),
-        ("https://example.org", "is no invitation"),
-        ("cotouch:AB$D", r"has a '\$', which none has"),
-        ("cotouch:Ägypten", "has a 'Ä', which none has"),
-        ("cotouch:" + "C" + made().encode()[9:], "is of version 9, but this cotouch reads version 1"),
-        (made().encode() + "AAAA", "a slip"),
+        ("", "is not an invitation; invitations begin with 'cotouch:'"),
+        ("https://example.org", "is not an invitation"),
+        ("cotouch:AB$D", r"contains '\$', which is not allowed"),
+        ("cotouch:Ägypten", "contains 'Ä', which is not allowed"),
+        ("cotouch:" + "C" + made().encode()[9:], "has version 9, but this cotouch reads version 1"),
+        (made().encode() + "AAAA", "a mistake"),
     ],
 )
 def test_what_is_wrong_with_a_line(line: str, sentence: str):
@@ -120,14 +120,14 @@ def test_what_is_derived_hangs_on_secret_host_session_and_purpose():
         ({"session": ""}, "1 to 64 printable"),
         ({"session": "a\nb"}, "1 to 64 printable"),
         ({"session": "x" * 65}, "1 to 64 printable"),
-        ({"host": b"short"}, "5 bytes; it takes 32"),
-        ({"digest": b"short"}, "has 5 bytes; SHA-256 has 32"),
+        ({"host": b"short"}, "5 bytes; it must have 32"),
+        ({"digest": b"short"}, "has 5 bytes; it must have 32"),
         ({"endpoints": ()}, "names no endpoint"),
         ({"endpoints": (Endpoint("::1", 1),) * 17}, "at most 16"),
         ({"endpoints": (Endpoint("::1", 0),)}, "port 0 of ::1"),
         ({"endpoints": (Endpoint("1.2.3", 5),)}, "'1.2.3' is neither"),
         ({"routers": (Endpoint("a b", 5),)}, "'a b' is neither"),
-        ({"entropy": lambda size: b"short"}, "5 bytes; it takes 16"),
+        ({"entropy": lambda size: b"short"}, "5 bytes; it must have 16"),
     ],
 )
 def test_what_no_invitation_has(changes: dict[str, object], sentence: str):
@@ -142,7 +142,7 @@ def test_endpoints_as_text(host: str, port: int):
 
 @pytest.mark.parametrize("text", ["", "host", ":5", "host:", "host:x", "::1:5", "host:123456", "host:²"])
 def test_what_is_no_endpoint(text: str):
-    with pytest.raises(SessionError, match="no endpoint"):
+    with pytest.raises(SessionError, match="not an endpoint"):
         Endpoint.parse(text)
 
 

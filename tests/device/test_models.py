@@ -70,7 +70,7 @@ def test_no_devices_are_a_table_too():
         (lambda: SimulatedHand(blend=0.0), "hand's blend is 0 s; it must be finite, above 0"),
         (
             lambda: SimulatedHand(path=[(0.0, 1.0), (0.0, 2.0)]),
-            r"hand's path has the times \[0.0, 0.0\]; they must rise",
+            r"hand's path has the times \[0.0, 0.0\]; they must increase",
         ),
         (lambda: SimulatedHand(path=[(0.0,)]), r"waypoint \(0.0,\); it must be a time and one to three numbers"),
         (lambda: SimulatedHand(path=(1.0, 2.0, 3.0, 4.0)), "hand's path is .*; it must be one to three finite numbers"),
@@ -79,9 +79,9 @@ def test_no_devices_are_a_table_too():
         (lambda: DeviceModel(position=("x",)), "position is .*; it must be one to three finite numbers"),  # type: ignore[arg-type]
         (
             lambda: DeviceModel(plant=PhantomPlant(), position=(-0.2,)),
-            "position is .*; a PHANToM's tip does not reach there",
+            "position is .*; a PHANToM's tip cannot reach it",
         ),
-        (lambda: DeviceModel(plant=PhantomPlant(), position=(0.215,)), "a PHANToM's tip does not reach there"),
+        (lambda: DeviceModel(plant=PhantomPlant(), position=(0.215,)), "a PHANToM's tip cannot reach it"),
         (lambda: critical_stiffness(CartesianPlant(viscous=0.0)), "viscous is 0 Ns/m and no hand damps the device"),
         (lambda: critical_stiffness(CartesianPlant(), precision=0.0), "precision is 0"),
     ],

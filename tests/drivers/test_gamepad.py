@@ -192,7 +192,7 @@ def test_a_pad_that_may_only_be_read_does_not_rumble(pad: Pad):
 
 def test_no_pad_here(monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
     monkeypatch.setattr("cotouch.drivers._evdev.FOLDER", tmp_path)
-    with pytest.raises(DeviceError, match=f"no gamepad is in {tmp_path}; connect one, and see that you may read"):
+    with pytest.raises(DeviceError, match=f"no gamepad is in {tmp_path}; connect one, and make sure that you may read"):
         Gamepad().open()
 
 

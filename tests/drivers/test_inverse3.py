@@ -139,7 +139,7 @@ def test_not_calibrated(service: Service, device: Inverse3):
     service.board.set("initialized", 0)
     device.open()
     assert not device.exchange(np.zeros(3)).flags & Flag.CALIBRATED
-    with pytest.raises(DeviceError, match="is not calibrated; put its arm as Haply Hub shows it"):
+    with pytest.raises(DeviceError, match="is not calibrated; place its arm as Haply Hub shows"):
         device.calibrate(allow_motion=True)
 
 
@@ -160,7 +160,7 @@ def test_halting_where_nobody_is_does_nothing():
 @pytest.mark.parametrize(
     ("url", "words"),
     [
-        ("ws://127.0.0.1:9", "does not answer at ws://127.0.0.1:9 .*install it with Haply Hub"),
+        ("ws://127.0.0.1:9", "did not answer at ws://127.0.0.1:9 .*install it with Haply Hub"),
         ("http://x", "must be like ws://localhost:10001"),
         ("wss://127.0.0.1:9", "must begin with ws://"),
     ],
@@ -171,7 +171,7 @@ def test_where_there_is_no_service(url: str, words: str):
 
 
 def test_events_that_cannot_be_heard_are_an_error(service: Service):
-    with pytest.raises(DeviceError, match=r"the Inverse Service \(events\) does not answer"):
+    with pytest.raises(DeviceError, match=r"the Inverse Service \(events\) did not answer"):
         Inverse3(url=service.url, events="ws://127.0.0.1:9").open()
 
 
@@ -189,5 +189,5 @@ def test_events():
         or ""
     )
     assert read_event(b'{"name":"device-connected","data":null}', "A") is None
-    with pytest.raises(DeviceError, match="is no JSON object"):
+    with pytest.raises(DeviceError, match="is not a JSON object"):
         read_event(b"[1]", "A")

@@ -103,7 +103,7 @@ def test_a_servo_that_is_stopped_leaves_no_force(held: Held, stalls: Stalls):
 def test_a_guardian_that_is_stopped_or_killed_leaves_no_force(held: Held, stalls: Stalls):
     guardian = held.link.guardian
     held.gone(signal.SIGSTOP, stalls, at=guardian)
-    held.until(lambda: any("watches over the device stands still" in text for text in held.said), "told")
+    held.until(lambda: any("watches over the device has stopped" in text for text in held.said), "told")
     os.kill(guardian, signal.SIGCONT)
     held.until(lambda: pushes(held.board), "force again")
     held.gone(signal.SIGKILL, stalls, at=guardian)
@@ -214,7 +214,7 @@ def test_a_peer_that_dies_with_its_servo_stopped_leaves_no_force(around: Around,
 def test_positions_that_are_no_numbers_leave_no_force(held: Held, stalls: Stalls):
     held.board.inject(Fault.NOT_A_NUMBER)
     held.until(lambda: held.link.causes & Cause.FAULT, "fault")
-    held.until(lambda: any("gave no numbers" in text for text in held.said), "told")
+    held.until(lambda: any("returned no valid numbers" in text for text in held.said), "told")
     struck = held.board.get("struck")
     stalls.within(struck, held.board.zero_after(struck))
 

@@ -47,7 +47,7 @@ def test_the_origin_is_the_middle_of_where_it_went(moved: Moved):
 def test_recordings_that_have_no_such_hand(moved: Moved, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     with pytest.raises(DeviceError, match=r"tool is 3; .* has 2 tools"):
         RecordedHand(moved.path, tool=3).open()
-    with pytest.raises(DeviceError, match="less than two places of tool 1"):
+    with pytest.raises(DeviceError, match="fewer than two positions of tool 1"):
         RecordedHand(moved.path, tool=1).open()
     monkeypatch.undo()
     with pytest.raises(DeviceError, match="has 0 tools whose places it keeps"):

@@ -93,7 +93,7 @@ def test_an_inverse3_takes_part_until_it_is_unplugged_and_the_others_go_on(
     assert said["device"]["name"] == "Haply Inverse3"
     # The event or the list of devices, whichever comes first.
     assert any("was disconnected" in text or "is gone from" in text for text in said["device"]["said"])
-    assert said["device"]["causes"] == ["the device failed or gave no numbers"]
+    assert said["device"]["causes"] == ["the device failed or returned no valid numbers"]
     for one in (said, bens):
         assert one["status"]["residual"] < 1e-9
     recordings = [read_recording(tmp_path / f"{name}.mcap") for name in "ab"]

@@ -159,25 +159,25 @@ class TestPrepare:
         (old.parent / "link.nc").symlink_to(old)
         os.link(old, old.parent / "hard.nc")
         for name in ("x.nc", "link.nc", "hard.nc", "./x.nc"):
-            with pytest.raises(OutputError, match=r"is read by this command \(.*x.nc\) and would be written over"):
+            with pytest.raises(OutputError, match=r"is read by this command \(.*x.nc\) and would be overwritten"):
                 prepare(old.parent / name, inputs=(old.parent / "none", old))
-        with pytest.raises(OutputError, match="would be written over"):
+        with pytest.raises(OutputError, match="would be overwritten"):
             beside(old.parent, ("a.nc", "x.nc"), (old,))
         prepare(old, inputs=(old.parent / "none",))
 
     def test_suffixes(self, tmp_path: Path) -> None:
         for name in ("x.mat", "x", "x.nc.gz"):
-            with pytest.raises(OutputError, match=r'x.* ends in ".*"; what is written there must end in .a, .b or .nc'):
+            with pytest.raises(OutputError, match=r'x.* ends in ".*"; its name must end in .a, .b or .nc'):
                 prepare(tmp_path / name, (".a", ".b", ".nc"))
         prepare(tmp_path / "x.NC", (".a", ".b", ".nc"))
 
     def test_folders(self, tmp_path: Path) -> None:
         with pytest.raises(OutputError, match="is a folder; name a file"):
             prepare(tmp_path)
-        with pytest.raises(OutputError, match="does not exist; make it first"):
+        with pytest.raises(OutputError, match="does not exist; create it first"):
             prepare(tmp_path / "no" / "x")
         (tmp_path / "file").touch()
-        with pytest.raises(OutputError, match="cannot be made: "):
+        with pytest.raises(OutputError, match="cannot be created: "):
             folder(tmp_path / "file" / "x")
         assert folder(tmp_path / "a" / "b").is_dir()
 

@@ -300,7 +300,7 @@ def test_a_device_in_each_hand_moves_a_tool_each():
         (TOOL, [{}, {}], "tool 2 of user 1, which has only one tool; give the session's file another"),
         (TOOL, [{"tool": 3}], "tool 3 of user 1, which has only one tool"),
         (POINT, [{}, {}], "what hand 2 of user 1 holds, which has 0; give the session's file another"),
-        (BLOCK, [{"tool": 1}, {"tool": 1}], "two devices are to move the same tool of user 1"),
+        (BLOCK, [{"tool": 1}, {"tool": 1}], "two devices would move the same tool of user 1"),
         (POINT + '[[session.devices]]\ncoupling = "virtual"\n', [{}], "friction of Force Dimension omega.3 is 0"),
         (RIGID, [{"tool": 2}], "tool 2 of user 1, which has only one tool"),
         (

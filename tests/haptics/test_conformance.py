@@ -70,15 +70,15 @@ class Broken:
         ("slow", "in time, before calibration"),
         ("nan", "finite, before calibration"),
         ("always on", "no force before it is enabled"),
-        ("too much", "no more force than was asked"),
+        ("too much", "no more force than commanded"),
         ("millimetres", "velocity is m/s, before calibration"),
-        ("millimetres", "place is m from the middle of the workspace, with force"),
+        ("millimetres", "position is m from the centre of the workspace, with force"),
         ("clock", "time is the clock's, before calibration"),
         ("repeats", "time rises, before calibration"),
         ("shape", "three numbers each, before calibration"),
         ("handle", "orientation is a unit quaternion, before calibration"),
         ("deaf", "no force after stop"),
-        ("stops once", "stop from other threads, again and again"),
+        ("stops once", "stop from other threads, repeatedly"),
     ],
 )
 def test_what_is_wrong_is_found(wrong: str, check: str):
@@ -87,7 +87,7 @@ def test_what_is_wrong_is_found(wrong: str, check: str):
     try:
         failed = [finding.check for finding in conform(make, cycles=10) if not finding.passed]
     except RuntimeError:  # what a device that raises anything else comes to: no conformance either
-        failed = ["exchange before open is refused", "stop from other threads, again and again"]
+        failed = ["exchange before open is refused", "stop from other threads, repeatedly"]
     assert check in failed
 
 

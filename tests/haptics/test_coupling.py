@@ -58,7 +58,7 @@ def test_what_would_hum_or_slip_is_refused_or_lowered():
         return CouplingChoice(**said).options(spec, period=1e-3, force=1.0)
 
     with pytest.raises(
-        DeviceError, match=r"stiffness is 850 N/m, but .* damping of 2 Ns/m and places 10 ms old it swing"
+        DeviceError, match=r"stiffness is 850 N/m, but .* damping of 2 Ns/m and positions 10 ms old it oscil"
     ):
         made(falcon, stiffness=850.0, damping=2.0)
     with pytest.raises(DeviceError, match=r"stiffness is 300 N/m, but encoders .* at 20 Ns/m above 250 N/m; lower it"):

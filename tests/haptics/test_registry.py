@@ -72,7 +72,7 @@ def test_words_that_ask_for_nothing_are_refused(text: str):
         ({"sweep": 4}, "sweep is 4; it must be from 0 to 3"),
         ({"turn": 4}, "turn is 4 rad; it must be from 0 to 3 rad"),
         ({"viscous": -1}, "viscous is -1 Ns/m; it must be from 0 to 20 Ns/m"),
-        ({"variant": "phantom", "viscous": 1}, "viscous is 1 Ns/m, but a PHANToM has joints; leave it out"),
+        ({"variant": "phantom", "viscous": 1}, "viscous is 1 Ns/m, but a PHANToM has joints instead; leave it out"),
     ],
 )
 def test_options_that_are_wrong_are_refused(options: dict[str, str | float], said: str):

@@ -126,23 +126,23 @@ def test_the_proxy_takes_no_more_than_the_seed_beyond_what_the_device_has_heard(
     [
         ("coupling=stiff", 'coupling is "stiff"; it must be one of pspm, virtual'),
         ("friction=1", "friction is given, but with coupling=pspm it has no effect; leave it out"),
-        ("coupling=virtual", "the friction of PHANToM 1.5 is 0 Ns/m, and a virtual coupling lives on it"),
+        ("coupling=virtual", "the friction of PHANToM 1.5 is 0 Ns/m, and a virtual coupling depends on it"),
         ("coupling=virtual,friction=much", "the coupling's friction is much; it must be a number of at least 0"),
         ("coupling=virtual,friction=-1", "the coupling's friction is -1; it must be a number of at least 0"),
         ("coupling=virtual,friction=1,weight=0", "weight is 0; it must be finite and above 0"),
         ("coupling=virtual,friction=1,damping=1", "damping is 1 Ns/m; .* pays for less than 0.952 Ns/m, so lower it"),
         (
             "coupling=virtual,friction=1,stiffness=500",
-            "stiffness is 500 N/m; .* friction of 1 Ns/m, ticks of 1 ms and places 10 ms old is passive up to 153.8",
+            "stiffness is 500 N/m; .* friction of 1 Ns/m, ticks of 1 ms and positions 10 ms old is passive up to 153.8",
         ),
         (
             "coupling=virtual,friction=1",
-            "is 153.846 N/m; PHANToM .* knows its place to 0.03 mm and .* passive with none",
+            "is 153.846 N/m; PHANToM .* knows its position to 0.03 mm and .* passive with none",
         ),
-        ("coupling=virtual,friction=9", "knows its place to 0.03 mm and .* friction of 0 N is passive with none"),
+        ("coupling=virtual,friction=9", "knows its position to 0.03 mm and .* friction of 0 N is passive with none"),
         (
             "coupling=virtual,friction=9,coulomb=0.01,stiffness=400",
-            r"is 400 N/m; PHANToM 1\.5 knows .* 0.01 N is passive up to 384\.9 N/m, so lower it, say what dry friction",
+            r"is 400 N/m; PHANToM 1\.5 knows .* 0.01 N is passive up to 384\.9 N/m, so lower it, state its real dry",
         ),
     ],
 )

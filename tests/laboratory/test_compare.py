@@ -259,9 +259,9 @@ def test_the_study_in_the_documents_can_be_run() -> None:
             'law.impedance is "two"; it must be a number, or a multiple',
         ),
         ({"tasks": ["juggle"]}, 'tasks holds "juggle"; it must be one of carry, tug'),
-        ({"ours": "paid"}, 'ours is "paid", which is none of the laws'),
-        ({"networks": [{"name": "a"}]}, 'network "a" needs one of delay and delays'),
-        ({"networks": [{"name": "a", "delay": 0.1, "tuned_on": "b"}]}, 'is tuned_on "b", which is none of'),
+        ({"ours": "paid"}, 'ours is "paid", which is not one of the laws'),
+        ({"networks": [{"name": "a"}]}, 'network "a" needs either delay or delays'),
+        ({"networks": [{"name": "a", "delay": 0.1, "tuned_on": "b"}]}, 'is tuned_on "b", which is not one of'),
         ({"draws": 1}, "draws is 1"),
         ({"users": [1]}, r"users\[1\] is 1"),
         ({"colour": 1}, "colour is not an option"),
@@ -281,7 +281,7 @@ def test_too_few_users_in_a_table_are_named() -> None:
     network = NetworkTable(
         name="homes", delays=str(EXAMPLE.parent / "networks" / "seattle-20-median.csv"), pick=["s1", "s6"]
     )
-    with pytest.raises(ScenarioError, match='network "homes" has 2 users; 4 are asked for'):
+    with pytest.raises(ScenarioError, match='network "homes" has 2 users; 4 are required'):
         study().joined(network, 4, 1.0)
 
 

@@ -169,7 +169,7 @@ def test_replicas_take_part_in_a_study() -> None:
     ("tables", "words"),
     [
         ({"graph": "path"}, 'take graph "complete"'),
-        ({"body": {"kind": "chain", "nodes": 3}}, "moves a point"),
+        ({"body": {"kind": "chain", "nodes": 3}}, "moves only a point"),
         ({"networks": [{"name": "c", "delay": 0.01, "mode": "constant"}]}, 'mode "freshest"'),
     ],
 )
@@ -185,7 +185,7 @@ def test_what_replicas_cannot_do_is_one_sentence(tables: dict[str, Any], words: 
         ({"replica": "oner"}, "it must be one of server, owner, lockstep, rollback, broadcast"),
         ({"replica": "owner", "law": "wave"}, 'has no links, so it takes no law; "server" does'),
         ({"replica": "server", "law": "wvae"}, 'law is "wvae"; it must be one of'),
-        ({"replica": "server", "law": {"kind": "wave", "width": 1.0}}, "law.width is no parameter"),
+        ({"replica": "server", "law": {"kind": "wave", "width": 1.0}}, "law.width is not a parameter"),
         ({"replica": "owner", "damping": 1.0}, "no damping"),
     ],
 )

@@ -66,7 +66,7 @@ def test_values_are_read(text: str, values: list[Any]) -> None:
 
 @pytest.mark.parametrize("text", ["1:2", "0:1:3:log", "1:2:0", "a:b:3", "1:2:3:lin", "1:2:3:log:4"])
 def test_ranges_that_are_none_are_refused(text: str) -> None:
-    with pytest.raises(ScenarioError, match="is no range; write low:high:count"):
+    with pytest.raises(ScenarioError, match="is not a range; write low:high:count"):
         values_of(text)
 
 

@@ -140,7 +140,7 @@ def _silent(end: End) -> None:
 def test_gains_that_no_link_can_have_are_refused_by_name(before: object) -> None:
     register(Law(name="mad", before=before, after=_silent))  # pyright: ignore[reportArgumentType]
     with pytest.raises(
-        ScenarioError, match='law "mad" gives a link of user 1 a stiffness or damping that is no finite'
+        ScenarioError, match='law "mad" gives a link of user 1 a stiffness or damping that is not a finite'
     ):
         simulate(scenario("mad"))
 
@@ -178,7 +178,10 @@ def test_a_law_for_constant_delays_has_them_by_an_index() -> None:
         ({"kind": "wave", "impedance": -1.0}, "synchronisation.law.impedance is -1.0; it must be a number at least 0"),
         ({"kind": "foresight", "fraction": 3}, "synchronisation.law.fraction is 3; it must be a number from 0 to 2"),
         ({"kind": "wave", "filter": nan}, "synchronisation.law.filter is nan; it must be a number at least 0"),
-        ({"kind": "wave", "width": 1.0}, 'law.width is no parameter of law "wave", which has: impedance, filter, seed'),
+        (
+            {"kind": "wave", "width": 1.0},
+            'law.width is not a parameter of law "wave", which has: impedance, filter, seed',
+        ),
     ],
 )
 def test_wrong_options_are_one_sentence(law: object, message: str) -> None:

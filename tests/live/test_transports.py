@@ -224,7 +224,7 @@ class TestUdp:
 
     @pytest.mark.parametrize("host", ["localhost", "", "256.1.1.1", "a b"])
     def test_only_numbers_are_addresses(self, host: str):
-        with pytest.raises(SessionError, match="not an address in numbers"):
+        with pytest.raises(SessionError, match="not a numeric address"):
             UdpTransport(host=host)
 
     @pytest.mark.parametrize("port", [-1, 65536, "80"])

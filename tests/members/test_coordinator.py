@@ -127,10 +127,10 @@ def test_a_name_stays_with_its_key_and_who_crashed_comes_back_with_that() -> Non
 def test_the_host_releases_the_name_of_one_who_is_gone() -> None:
     world = World()
     world.join(1, "Ben")
-    with pytest.raises(SessionError, match='"Ben" is here'):
+    with pytest.raises(SessionError, match='"Ben" has joined'):
         world.coordinator.release("Ben")
     world.coordinator.receive(Message(key(1), "leave", b"", direct=False), world.now)
-    with pytest.raises(SessionError, match="nobody's"):
+    with pytest.raises(SessionError, match="nobody has used"):
         world.coordinator.release("Bob")
     slots = world.roster.slots()
     world.coordinator.release("Ben")
@@ -150,13 +150,13 @@ def test_who_was_sent_away_leaves_its_place_and_does_not_come_back() -> None:
     assert world.names == {0: "Ann"}
     assert world.roster.slots()[key(2).hex()] == {1}  # what it cut there, others tell those who come later
     world.join(2, "Ben", start=1)
-    assert "sent you away" in world.refusals[key(2)]
+    assert "expelled you" in world.refusals[key(2)]
     world.join(3, "Ben")
     assert world.names == {0: "Ann", 1: "Ben"}
     world.coordinator.receive(Message(key(3), "leave", b"", direct=False), world.now)
     world.coordinator.expel("Ben")  # who is not here can be sent away, too
     world.join(3, "Ben", start=1)
-    assert "sent you away" in world.refusals[key(3)]
+    assert "expelled you" in world.refusals[key(3)]
 
 
 def test_a_place_can_be_freed_without_a_ban() -> None:
@@ -185,7 +185,7 @@ def test_an_address_takes_half_of_the_slots() -> None:
     assert "all 4 slots" in world.refusals[key(9)]
     world.coordinator.receive(Message(key(1), "leave", b"", direct=False), world.now)
     world.join(6, "guest 6")
-    assert "not known" in world.refusals[key(6)]
+    assert "unknown address" in world.refusals[key(6)]
     world.join(3, "guest 3")
     assert world.roster.of(key(3)) is not None
 
@@ -213,7 +213,7 @@ def test_nobody_is_answered_before_the_body_is_built_here() -> None:
     world.join(1, "Mallory", [6.0, 6.0])
     world.join(2, "Ann")
     assert world.names == {0: "Ann"}
-    assert "another body" in world.refusals[key(1)]
+    assert "a different body" in world.refusals[key(1)]
 
 
 def test_who_is_not_seen_for_a_while_has_left() -> None:
@@ -250,7 +250,7 @@ def test_another_body_is_refused() -> None:
     world.join(2, "Ben", [1.0, 2.0 + 1e-9])
     world.join(3, "Cleo", [1.0, -2.0])
     assert world.names == {0: "Ann", 1: "Ben"}
-    assert "another body" in world.refusals[key(3)]
+    assert "a different body" in world.refusals[key(3)]
 
 
 def test_a_wish_said_again_changes_nothing() -> None:
@@ -405,7 +405,7 @@ def test_whom_others_let_in_take_no_more_places_than_one_address_may() -> None:
     for one in many[1:]:
         world.coordinator.take_up(Roster(epoch=9, members=[one]), present, world.now)
     world.join(8, "guest 3")
-    assert "not known" in world.refusals[key(8)]
+    assert "unknown address" in world.refusals[key(8)]
     world.join(7, "guest 2")
     assert world.roster.of(key(7)) is not None
     left = world.roster.of(key(7))
@@ -440,7 +440,7 @@ def test_only_so_many_are_kept_out() -> None:
     world.join(1, "Ann")
     full = [f"{number:064x}" for number in range(1, MOST_BANNED + 1)]
     world.coordinator.adopt(world.roster.model_copy(update={"banned": full}), world.now)
-    with pytest.raises(SessionError, match=f"{MOST_BANNED} were sent away already"):
+    with pytest.raises(SessionError, match=f"{MOST_BANNED} users have already been expelled"):
         world.coordinator.expel("Ann")
     assert world.names == {0: "Ann"}
     world.coordinator.expel("Ann", ban=False)

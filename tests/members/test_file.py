@@ -100,7 +100,7 @@ def test_it_travels_with_meshes_of_several_bodies_and_of_what_stands_still(tmp_p
     assert again.scenario.build_body().nodes == 4
     assert len(again.scenario.world.obstacles()) == 1
     (here / "shapes" / "t.off").write_text(TETRAHEDRON)
-    with pytest.raises(SessionError, match="they travel without their folders, so give them different names"):
+    with pytest.raises(SessionError, match="files are sent without their folders, so give them different names"):
         SessionFile.from_toml(SLOTS + AROUND.format(file="t.off"), folder=here)
 
 
@@ -120,11 +120,11 @@ def test_the_digest_tells_another_mesh(tmp_path: Path) -> None:
         ("[session]\nusers = 4\nsprings = 3\n", SessionError, "session.springs is not an option"),
         (SLOTS + 'links = "given"\nreplan = true\n', SessionError, 'session.replan is for links = "plan"'),
         (SLOTS + "[network]\n", SessionError, "leave one of them out"),
-        (SLOTS + "[steps]\nrandom = {low = 0.001, high = 0.002}\n", ScenarioError, "live peers keep"),
+        (SLOTS + "[steps]\nrandom = {low = 0.001, high = 0.002}\n", ScenarioError, "in a session, give a period"),
         (SLOTS + '[synchronisation]\ndamping = "exact"\n', ScenarioError, "'exact'"),
         (SLOTS + "[synchronisation]\ndamping = [1.0, 2.0]\n", ScenarioError, "[1.0, 2.0]"),
-        (SLOTS + '[synchronisation]\nlaw = "once"\n', ScenarioError, 'law is "once"; live it is "spring"'),
-        (SLOTS + "[synchronisation]\ndamping_scale = 0.5\n", ScenarioError, "below 1 nothing is passive"),
+        (SLOTS + '[synchronisation]\nlaw = "once"\n', ScenarioError, 'law is "once"; a live session needs "spring"'),
+        (SLOTS + "[synchronisation]\ndamping_scale = 0.5\n", ScenarioError, "below 1 nothing is guaranteed"),
         (
             SLOTS + 'encoding = "float16"\n[channel]\ncodec = {deadband = 0.1}\n',
             ScenarioError,
@@ -169,5 +169,5 @@ def test_a_missing_mesh_is_named(tmp_path: Path) -> None:
     ],
 )
 def test_what_travelled_is_checked(content: bytes) -> None:
-    with pytest.raises(SessionError, match="is not one"):
+    with pytest.raises(SessionError, match="cannot be read"):
         SessionFile.needed(content)

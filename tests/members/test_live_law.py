@@ -605,19 +605,22 @@ def test_what_a_liar_makes_up_is_not_told_on() -> None:
     [
         (
             ('"paid"', '"once"'),
-            r'law is "once"; live it is "spring", or one of those .*"paid", "pspm", "tank", "tdpa", "wave"',
+            r'law is "once"; a live session needs "spring", or a law .*"paid", "pspm", "tank", "tdpa", "wave"',
         ),
         (('"paid"', '"paid"\nmode = "constant"'), 'mode is "constant"; with law "paid" it must be "freshest"'),
         (
             ("users = 2", 'users = 2\nencoding = "float32"'),
             'encoding is "float32"; with law "paid" it must be "float64"',
         ),
-        (('"paid"', '{kind = "paid", force = 3.0}'), "law.force is given; live it is session.force_limit"),
+        (('"paid"', '{kind = "paid", force = 3.0}'), "law.force is given; in a live session, set session.force_limit"),
         (
             ('"paid"', '"paid"\ndamping = "rule"'),
-            'damping is "rule", which only law "spring" needs live; with law "paid"',
+            'damping is "rule", which only law "spring" uses in a live session; with law "paid"',
         ),
-        (("users = 2", "users = 2\ntank = 0.1"), 'session.tank is 0.1, which only guarded links of law "spring" have'),
+        (
+            ("users = 2", "users = 2\ntank = 0.1"),
+            'session.tank is 0.1, which applies only to guarded links of law "spring"',
+        ),
     ],
 )
 def test_what_a_law_cannot_do_live_is_refused(change: tuple[str, str], words: str) -> None:
@@ -631,7 +634,9 @@ def test_who_has_another_law_of_that_name_is_told_so() -> None:
     ben = world.join("Ben")
     asking = ben.member._asking
     asking.request = asking.request.model_copy(update={"law": "paid 0123456789abcdef"})
-    with pytest.raises(SessionError, match='links of this session run law "paid", and this machine has another'):
+    with pytest.raises(
+        SessionError, match='links of this session use law "paid", and this machine has a different one'
+    ):
         world.run(3.0)
 
 

@@ -494,7 +494,7 @@ def test_a_refusal_that_stays_is_told_at_once_and_a_full_session_is_waited_for()
     world.run(1.0)
     began = world.now
     world.join("Ann", stranger=True)
-    with pytest.raises(SessionError, match='does not let Ann in: the name "Ann" is taken'):
+    with pytest.raises(SessionError, match='does not admit Ann: the name "Ann" is taken'):
         world.run(5.0)
     assert world.now - began < 2.0
     world.people.pop()

@@ -234,7 +234,7 @@ def test_a_fault_that_takes_this_members_place_for_another_start() -> None:
     belief = believing(root(changed(ROOT, members=mine)), own=CLEO.public, start="1" * 16)
     taken = changed(ROOT, members=[*MEMBERS[:2], MEMBERS[2].model_copy(update={"start": "2" * 16})], epoch=2)
     assert not hears(belief, [belief.chain[0], api(ANN, taken)], ANN)
-    assert "another start" in str(belief.complaint)
+    assert "another run" in str(belief.complaint)
 
 
 def split(*, signer: Identity = BEN, own: Identity | None = ANN) -> tuple[Belief, Decision]:
@@ -295,11 +295,11 @@ def test_who_left_does_not_decide_by_a_fault() -> None:
 ROSTERS: dict[str, dict[str, object]] = {
     "a name has two keys": {"names": [*BOUND, {"name": "Ann", "key": EVE.public.hex()}]},
     "a key two names": {"names": [*BOUND, {"name": "Eve", "key": ANN.public.hex()}]},
-    "went twice": {"former": [{"key": EVE.public.hex(), "slots": [k]} for k in (1, 2)]},
-    "was sent away": {"banned": [BEN.public.hex()]},
+    "left twice": {"former": [{"key": EVE.public.hex(), "slots": [k]} for k in (1, 2)]},
+    "who was expelled": {"banned": [BEN.public.hex()]},
     "slots are not in order": {"members": [MEMBERS[1], MEMBERS[0]]},
-    "a link is none of two": {"links": [(1, 0)]},
-    "of two who are there": {"links": [(0, 3)]},
+    "a link is not between two": {"links": [(1, 0)]},
+    "two users who are present": {"links": [(0, 3)]},
     "links are not in order": {"links": [(1, 2), (0, 1)]},
     "less than": {"epoch": LAST_EPOCH},
 }

@@ -91,7 +91,7 @@ def test_an_audit_finds_what_does_not_fit_its_material(turned: World) -> None:
     header = replace(one.header, body=replace(body, material=softer))
     found = audit([replace(one, header=header)])
     assert "state" in {finding.place for finding in found.findings}
-    with pytest.raises(Exception, match="of another body"):
+    with pytest.raises(Exception, match="of a different body"):
         audit([replace(one, header=header), *others])
     for name in ("closure", "closure_factor"):
         bent = {**one.columns, name: 2.0 * one.columns[name]}

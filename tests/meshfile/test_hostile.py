@@ -91,7 +91,7 @@ def test_a_compressed_gigabyte(tmp_path: Path) -> None:
                     {"count": 2_999_997, "type": "SCALAR", "componentType": 5125},
                 ],
             },
-            "says that it has 900000 points and 999999 triangles, but has only ",
+            "claims 900000 points and 999999 triangles, but has only ",
         ),
         (
             {

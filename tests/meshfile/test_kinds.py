@@ -76,7 +76,7 @@ def test_a_file_that_was_cut_off_says_so(tmp_path: Path, text: str, name: str, c
     path.write_bytes(whole)
     assert read_surface(path, MOST).elements.shape == (12, 3)
     path.write_bytes(whole[:-cut])
-    with pytest.raises(BodyError, match=r"ends|has bytes for 11|unexpected length|has only \d+ bytes") as caught:
+    with pytest.raises(BodyError, match=r"ends|has bytes for only 11|unexpected length|has only \d+ bytes") as caught:
         read_surface(path, MOST)
     assert "module" not in str(caught.value)
 
@@ -184,11 +184,11 @@ def test_gmsh_1(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("30 1 0 0\n", "", "it says that it has 5 nodes, and holds 4"),
+        ("30 1 0 0\n", "", "it claims 5 nodes but has only 4"),
         ("$ENDELM", "", "it has no complete section \\$ELM"),
-        ("20 40 50", "20 40 60", "an element has a node that there is not"),
-        ("$ELM\n4", "$ELM\n5", "it says that it has 5 elements, and ends before"),
-        ("1 4 7 1 4", "1 4 7 1 -4", "it says that it has 4 elements, and ends before"),
+        ("20 40 50", "20 40 60", "an element refers to a node that does not exist"),
+        ("$ELM\n4", "$ELM\n5", "it claims 5 elements but ends earlier"),
+        ("1 4 7 1 4", "1 4 7 1 -4", "it claims 4 elements but ends earlier"),
         ("$ELM\n4", "$ELM\n999999999", "has 999999999 elements but the limit is 1000"),
         ("$NOD\n5", "$NOD\nfive", "cannot be read as MSH"),
     ],

@@ -32,7 +32,7 @@ def with_entry(value, *entries, scale=1.0):
         ({"users": []}, ["users is empty", "at least one"]),
         ({"users": "Ann"}, ["users", "list of names"]),
         ({"users": ["Ann", "Bo", "Ann"]}, ['"Ann"', "user 1", "user 3", "different"]),
-        ({"users": ["Ann", " ", "Cy"]}, ["user 2", "not empty"]),
+        ({"users": ["Ann", " ", "Cy"]}, ["user 2", "non-empty"]),
         ({"spring": with_entry(7.0, (0, 1))}, ['user 1 ("Ann")', 'user 2 ("Bo")', "1 N/m", "7 N/m", "equal"]),
         ({"spring": with_entry(-2.0, (0, 2), (2, 0))}, ["user 1", "user 3", "-2 N/m", "at least 0"]),
         ({"spring": with_entry(np.nan, (1, 2), (2, 1))}, ["user 2", "user 3", "nan", "finite"]),

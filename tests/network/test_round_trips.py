@@ -46,7 +46,7 @@ def test_picked_in_the_order_said_and_by_a_quantile(tmp_path):
     [
         ("", {}, "has no round trips"),
         (",a,b\na,0,1\nc,1,0\n", {}, "must hold the same names"),
-        (",a,a\na,0,1\na,1,0\n", {}, 'the name "a" is empty or there twice'),
+        (",a,a\na,0,1\na,1,0\n", {}, 'the name "a" is empty or occurs twice'),
         (",a,b\na,0\nb,1,0\n", {}, 'the row of "a" has 1 fields'),
         (",a,b\na,0,x\nb,1,0\n", {}, 'from "a" to "b" is "x"'),
         (",a,b\na,0,-1\nb,1,0\n", {}, 'from "a" to "b" is "-1"'),

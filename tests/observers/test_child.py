@@ -39,7 +39,7 @@ def test_it_returns_what_the_function_does() -> None:
 def test_one_that_fails_is_told_in_a_sentence() -> None:
     call = ChildCall(divmod, 7, 0)
     assert becomes(lambda: call.done)
-    with pytest.raises(SessionError, match="ended without a result, with code 1"):
+    with pytest.raises(SessionError, match="ended without a result, with exit code 1"):
         call.result()
 
 

@@ -100,7 +100,7 @@ def test_trouble_is_told_at_once_and_what_is_left_is_kept(room: Room) -> None:
 def test_it_ends_by_itself_where_nobody_records_any_more(room: Room) -> None:
     room.recordings.switch(True, 0.0)
     for name in NAMES:
-        room.ends(name, 1, steps=0, trouble="was not begun: Read-only file system")
+        room.ends(name, 1, steps=0, trouble="was not started: Read-only file system")
     room.recordings.turn(1.0, NAMES)
     now = room.recordings.look(1.0)
     assert (now.state, now.text, now.files) == ("failed", "nothing was recorded", ())
@@ -117,7 +117,7 @@ def test_who_does_not_finish_is_named_and_not_waited_for(room: Room) -> None:
     assert room.recordings.look(14.9).state == "ending"
     room.recordings.turn(15.1, NAMES)
     now = room.recordings.look(15.1)
-    assert (now.state, now.troubles) == ("done", ("Ben's was not finished within 10 s; it is cut off",))
+    assert (now.state, now.troubles) == ("done", ("Ben's was not finished within 10 s and is cut off",))
     assert len(now.files) == 2
 
 
@@ -125,7 +125,7 @@ def test_whose_process_ended_is_named(room: Room) -> None:
     room.recordings.switch(True, 0.0)
     room.file("Ben", 1)
     room.recordings.turn(1.0, ("Ann",))
-    assert room.recordings.look(1.0).troubles == ("Ben's is cut off, because the process ended",)
+    assert room.recordings.look(1.0).troubles == ("Ben's is cut off because the process ended",)
     room.recordings.switch(False, 2.0)
     room.ends("Ann", 1)
     room.recordings.turn(2.1, ("Ann",))
@@ -177,11 +177,11 @@ def test_orders_that_cannot_be_are_refused(room: Room) -> None:
     with pytest.raises(SessionError, match="nothing is being recorded"):
         room.recordings.switch(False, 0.0)
     room.commands.steps = dict.fromkeys(NAMES, -1)
-    with pytest.raises(SessionError, match="nobody moves yet"):
+    with pytest.raises(SessionError, match="no copy is moving yet"):
         room.recordings.switch(True, 0.0)
     room.commands.steps["Ben"] = 1
     room.recordings.switch(True, 0.0)
-    with pytest.raises(SessionError, match="under way already"):
+    with pytest.raises(SessionError, match="already under way"):
         room.recordings.switch(True, 0.0)
     # Nobody waits for Ann, who does not move.
     room.ends("Ben", 1)

@@ -85,7 +85,7 @@ def test_but_not_for_ever(booth: Booth) -> None:
     booth.follow(1, 11.9, on=False)
     assert booth.fields["recorded"] == 0
     booth.follow(1, 12.1, on=False)
-    assert booth.commanded() == (1, 0, "has no step: the copy took none meanwhile")
+    assert booth.commanded() == (1, 0, "has no steps: the copy took none in that time")
 
 
 def test_a_failure_ends_it_and_is_shown_without_a_step(booth: Booth) -> None:

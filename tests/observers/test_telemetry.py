@@ -149,7 +149,7 @@ def test_over_a_cut_path_nothing_is_heard(world: World) -> None:
     world.run(1.0)
     assert set(one.states().values()) == set(other.states().values()) == {"waiting"}
     assert world.host is not None
-    assert f"{one.name} hears nothing from {other.name}" in [event.text for event in world.host.watch.events]
+    assert f"{one.name} receives nothing from {other.name}" in [event.text for event in world.host.watch.events]
     for to, of in ((0, 1), (1, 0)):
         commands.impair(to, of, cut=0.0, delay=0.08)
     world.until(world.all_coupled, 2.0)
@@ -329,7 +329,7 @@ def test_a_recording_that_cannot_be_made_is_told(world: World) -> None:
     world.run(0.1)
     outcome = commanded(world, one.name).outcome(one.name)
     assert outcome is not None
-    assert (outcome.steps, outcome.trouble) == (0, "was not begun: No such file or directory")
+    assert (outcome.steps, outcome.trouble) == (0, "was not started: No such file or directory")
 
 
 def test_a_whole_part_that_is_not_recorded_any_more_is_in_the_status(tmp_path: Path) -> None:

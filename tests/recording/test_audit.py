@@ -162,7 +162,7 @@ def test_too_little_damping_and_a_hand_that_takes_are_found(tmp_path: Path) -> N
     supplied = sum(sum(r.supplied for r in reports) for reports in driven.reports)
     assert supplied < 0.0
     assert places["network"].energy >= -supplied * (1 - 1e-9)
-    assert any("asks for" in note for note in result.notes)
+    assert any("requires" in note for note in result.notes)
     for ledger in result.users:
         assert abs(ledger.residual) < 1e-9  # nobody's own ledger is wrong
 
@@ -191,7 +191,7 @@ def test_unix_times_that_are_apart_are_corrected(tmp_path: Path) -> None:
     assert offsets[1] - offsets[0] == pytest.approx(-895.0, abs=0.02)
     wrong = audit(recordings)
     assert wrong.holds
-    assert any("laid side by side" in note for note in wrong.notes)
+    assert any("aligned by the ages" in note for note in wrong.notes)
     assert wrong.links[0].spring == pytest.approx(right.links[0].spring, rel=0.5)
     assert wrong.links[0].work == pytest.approx(right.links[0].work, rel=1e-9)
 
@@ -219,7 +219,7 @@ def test_what_is_kept_less_often_is_taken_as_booked(tmp_path: Path) -> None:
     result = audited(driven)
     assert result.holds
     assert not result.complete
-    assert result.verdict.startswith("Holds, in what is recorded")
+    assert result.verdict.startswith("Holds, as far as recorded")
     assert result.users[0].worked_out == 50
     assert not result.links[0].strict
 
@@ -426,11 +426,11 @@ def test_recordings_that_do_not_belong_together_are_refused(tmp_path: Path) -> N
     with pytest.raises(RecordingError, match="both of user 1"):
         audit([one, one])
     other = replace(two, header=replace(two.header, session="elsewhere"))
-    with pytest.raises(RecordingError, match="of session 'elsewhere'"):
+    with pytest.raises(RecordingError, match="from session 'elsewhere'"):
         audit([one, other])
     (tmp_path / "b").mkdir()
     heavy = read_recording(Driven(tmp_path / "b", body=point(mass=9.0)).run()[1])
-    with pytest.raises(RecordingError, match="of another body"):
+    with pytest.raises(RecordingError, match="of a different body"):
         audit([one, heavy])
     with pytest.raises(RecordingError, match="no event of kind setup"):
         audit([replace(one, events=())])

@@ -98,9 +98,9 @@ def test_the_file_is_whole_or_not_there(tmp_path: Path) -> None:
             assert np.array_equal(values, again[name], equal_nan=True)
             assert again[name].attrs["units"]
         assert again.attrs["session"] == "table"
-    with pytest.raises(OutputError, match="does not exist; make it first"):
+    with pytest.raises(OutputError, match="does not exist; create it first"):
         save_dataset(run, tmp_path / "no" / "x.nc")
-    with pytest.raises(OutputError, match=r'ends in "\.mat"; what is written there must end in \.nc, '):
+    with pytest.raises(OutputError, match=r'ends in "\.mat"; its name must end in \.nc, '):
         save_dataset(run, tmp_path / "x.mat")
     assert [path.name for path in tmp_path.iterdir() if path.suffix != ".mcap"] == ["x.nc"]
 

@@ -230,7 +230,7 @@ def test_a_pipe_a_link_and_a_folder_are_refused(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
     (tmp_path / "link").symlink_to(tmp_path / "elsewhere")
     for name in ("pipe", "link", "."):
-        with pytest.raises(RecordingError, match=r"exists; a recording is never written over|cannot be written"):
+        with pytest.raises(RecordingError, match=r"exists; recordings are never overwritten|cannot be written"):
             NewFile(tmp_path / name)
     assert not (tmp_path / "elsewhere").exists()
 

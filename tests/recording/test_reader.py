@@ -127,7 +127,7 @@ for k in range(1_000_000):
 def test_what_is_no_recording_is_refused(tmp_path: Path, content: bytes) -> None:
     path = tmp_path / "x.mcap"
     path.write_bytes(content)
-    with pytest.raises(RecordingError, match="no recording of cotouch"):
+    with pytest.raises(RecordingError, match="not a cotouch recording"):
         read_recording(path)
 
 

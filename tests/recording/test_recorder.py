@@ -240,7 +240,7 @@ print(read.broken is not None, read.columns["index"].tolist() == list(range(read
 def test_a_recording_is_never_written_over(tmp_path: Path) -> None:
     path = tmp_path / "a.mcap"
     path.write_text("precious")
-    with pytest.raises(RecordingError, match="exists; a recording is never written over"):
+    with pytest.raises(RecordingError, match="exists; recordings are never overwritten"):
         Recorder(path, header())
     assert path.read_text() == "precious"
     with pytest.raises(RecordingError, match="cannot be written"):

@@ -131,7 +131,7 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
         ("{users = ['a', 'b'], spring = [[0, 1], [1, 0]], delay = [[0, '1'], [1, 0]]}", ["delay", "real numbers"]),
         (
             '{users = ["a", "b\\u001b[2J"], spring = [[0, 1], [1, 0]], delay = [[0, 1], [1, 0]]}',
-            ["user 2", r"\x1b", "seen"],
+            ["user 2", r"\x1b", "printable"],
         ),
     ],
 )
@@ -197,7 +197,7 @@ def test_options_are_replaced_one_by_one() -> None:
     [
         ({"network__links": [[1, 9]]}, ["[1, 9]", "users are numbered 1 to 5"]),
         ({"network__link": 3}, ['no key "link"']),
-        ({"setps__duration": 3}, ['"setps" is no part', "steps"]),
+        ({"setps__duration": 3}, ['"setps" is not a table', "steps"]),
         ({"title__size": 3}, ["title has no options"]),
         ({"hands__path": 3}, ["hands has no options"]),
         ({"network": 3}, ["network is 3", "table"]),

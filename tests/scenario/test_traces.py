@@ -135,7 +135,7 @@ def test_what_is_wrong_with_a_trace_is_one_sentence(
     ("options", "message"),
     [
         ({"as": "both"}, "channel.trace.as is 'both'"),
-        ({"column": "delay"}, 'column is "delay", which ends in no unit; give unit'),
+        ({"column": "delay"}, 'column is "delay", which does not end in a unit; give unit'),
         ({"most": -1.0}, "channel.trace.most is -1.0"),
         ({"colour": 1}, "channel.trace.colour is not an option"),
     ],

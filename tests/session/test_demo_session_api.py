@@ -115,7 +115,7 @@ class Script:
         thread = threading.Thread(target=lambda: said.append(api.do(ChooseLinks(links=((0, 1), (1, 2), (0, 2))))))
         thread.start()
         yield lambda: bool(said)
-        assert said == ["linked are 1-2, 1-3, 2-3"]
+        assert said == ["links are now 1-2, 1-3, 2-3"]
         for to, of in ((0, 1), (1, 2), (0, 2)):
             api.do(Impair(a=to, b=of, delay=0.02))
         yield lambda: coupled(api)
@@ -338,7 +338,7 @@ def test_whoever_came_from_elsewhere_is_sent_away_and_the_place_of_a_process_her
         keys["Ben"] = "d" * 64  # somebody from elsewhere
         here()
         assert api.overview().alive == {0: True, 2: True}
-        assert asked(1) == "Ben was sent away for the rest of the session"
+        assert asked(1) == "Ben was expelled for the rest of the session"
         assert opened.expelled[1:] == [("Ben", True)]
         api.close()
 

@@ -97,7 +97,7 @@ def test_a_broken_identity_is_made_anew_and_a_folder_that_is_none_is_said(tmp_pa
     assert again.identity != one.identity
     again.close()
     (tmp_path / "file").write_text("")
-    with pytest.raises(TransportError, match="who you are cannot be kept in"):
+    with pytest.raises(TransportError, match="your identity cannot be stored in"):
         KeptIdentity(tmp_path / "file", b"session", "Ann", entropy(1))
 
 
@@ -108,7 +108,7 @@ def test_a_key_that_cannot_be_kept_keeps_nobody_out(tmp_path: Path) -> None:
     with _identity(INVITATION, part, warned.append) as identity:
         assert len(identity.public) == 32
     assert len(warned) == 1
-    assert warned[0].endswith("after a crash you need another name")
+    assert warned[0].endswith("after a crash, use another name")
 
 
 def test_an_identity_of_another_week_is_let_go_of(tmp_path: Path) -> None:

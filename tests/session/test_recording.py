@@ -79,7 +79,7 @@ def test_what_a_guarded_end_moves_unpaid_is_found(recordings: list[Recording]) -
     forged = replace(less[1], columns={**less[1].columns, "discarded": discarded})
     words = [finding.words for finding in audit([recordings[0], forged, *recordings[2:]]).findings]
     assert words
-    assert all("unpaid" in text for text in words)
+    assert all("without paying" in text for text in words)
 
 
 def test_what_no_damping_took_is_not_credited(recordings: list[Recording]) -> None:
@@ -146,7 +146,7 @@ def test_what_one_end_took_the_other_gave(exchange: list[Recording]) -> None:
     assert (finding.place, finding.user, finding.link) == ("guard", 1, (1, 0))
     assert finding.energy == pytest.approx(1.0, rel=1e-9)
     assert finding.step == ben.columns["index"][int(0.7 * ben.steps)]
-    assert finding.words == "Ben took 1 J of Ann that Ann had not given"
+    assert finding.words == "Ben took 1 J from Ann that Ann had not given"
     assert audit([one]).holds
     # Ann says that she gave it, and has it from nowhere else; but not, if she did so later.
     for since, users in ((0.6, []), (0.8, [1])):
@@ -174,7 +174,7 @@ def test_a_recording_that_was_cut_off_accuses_nobody(exchange: list[Recording]) 
     [
         (("received",), "exchanged more"),
         (("sent",), "exchanged more"),
-        (("taken", "discarded"), "took more of the copy"),
+        (("taken", "discarded"), "took more from the copy"),
     ],
 )
 def test_what_tanks_take_comes_from_somewhere(recordings: list[Recording], names: tuple[str, ...], words: str) -> None:
@@ -198,7 +198,7 @@ def test_an_allowance_is_counted_and_cannot_be_stretched(recordings: list[Record
         assert result.initial < 2.0
     less = {**recordings[3].columns, ADVANCED: np.zeros(recordings[3].steps)}
     findings = audit([*recordings[:3], replace(recordings[3], columns=less)]).findings
-    assert any("took more of the copy" in finding.words for finding in findings)
+    assert any("took more from the copy" in finding.words for finding in findings)
 
 
 def test_books_that_are_not_finite_hide_nothing(recordings: list[Recording]) -> None:

@@ -42,11 +42,11 @@ def pointer(mode="ball", node=0, target=(0.0, 0.0, 0.0), radius=0.0, edge=(0.0, 
         ),
         (
             lambda: _requests.checked(pointer("blade"), BODY, 0, cuts=True),
-            "a blade cuts nothing here, because the session's file has no [cutting]; add that table",
+            "the blade cuts nothing here, because the session file has no [cutting] table; add one",
         ),
         (
             lambda: _requests.checked(pointer("blade"), CUTTABLE, 0, cuts=False),
-            "this user may not cut; cutting.users of the session's file says who may",
+            "this user may not cut; cutting.users in the session file says who may",
         ),
         (lambda: _requests.checked(pointer(edge=(0.0, 0.0, float("nan"))), BODY, 0, cuts=True), "the pointer's edge"),
         (lambda: _requests.checked(pointer(radius=-1.0), BODY, 0, cuts=True), "the pointer's radius is -1.0"),

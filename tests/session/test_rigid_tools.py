@@ -267,7 +267,7 @@ def test_what_there_is_not_is_one_sentence() -> None:
         check_hand(MoveHand(slot=1, mode="pose", to=place, turn=turn), body, cuts=True)
     with pytest.raises(SessionError, match="with pose it must be from 0 to 0"):
         check_hand(MoveHand(slot=0, mode="pose", node=1, to=place, turn=turn), body, cuts=True)
-    with pytest.raises(SessionError, match="there is no ball beside rigid tools"):
+    with pytest.raises(SessionError, match="a session with rigid tools has no ball"):
         checked(Pointer(number=1, mode="ball", node=0, target=place), body, 0, cuts=True)
     pose = Pointer(number=1, mode="pose", node=0, target=place, turn=turn)
     assert checked(pose, body, 0, cuts=True) is pose

@@ -255,14 +255,14 @@ def made_of(changes: dict[str, Any]) -> Animation:
 @pytest.mark.parametrize(
     ("changes", "error", "headers"),
     [
-        ({"users": []}, NetworkError, "no users"),
+        ({"users": []}, NetworkError, "needs users"),
         ({"time": [0.0]}, BodyError, "vertices are 40 x 2 x 3 x 3; they must be 1 frames x 2 users"),
         ({"time": np.zeros(FRAMES)}, InputError, "frame 2 is at 0 s and the one before at 0 s"),
         ({"time": []}, InputError, "frame times are 0"),
         ({"time": ["soon"] * FRAMES}, InputError, "frame times are not an array of numbers"),
-        ({"vertices": None}, BodyError, "neither or twice"),
-        ({"vertices": None, "skin": SKIN}, BodyError, "neither or twice"),
-        ({"skin": SKIN, "displacement": np.zeros((FRAMES, 2, 3, 3))}, BodyError, "neither or twice"),
+        ({"vertices": None}, BodyError, "exactly once"),
+        ({"vertices": None, "skin": SKIN}, BodyError, "exactly once"),
+        ({"skin": SKIN, "displacement": np.zeros((FRAMES, 2, 3, 3))}, BodyError, "exactly once"),
         (
             {"vertices": None, "skin": SKIN, "displacement": np.zeros((FRAMES, 2, 3, 3))},
             BodyError,
@@ -337,9 +337,9 @@ def test_a_full_disk_leaves_the_old_file(tmp_path: Path) -> None:
 
 
 def test_no_such_folder(tmp_path: Path) -> None:
-    with pytest.raises(OutputError, match="does not exist; make it first"):
+    with pytest.raises(OutputError, match="does not exist; create it first"):
         made().write(tmp_path / "none" / "run.html")
-    with pytest.raises(OutputError, match=r'ends in "\.gif"; what is written there must end in \.html or \.htm'):
+    with pytest.raises(OutputError, match=r'ends in "\.gif"; its name must end in \.html or \.htm'):
         made().write(tmp_path / "run.gif")
 
 
@@ -646,7 +646,7 @@ def test_the_table_shows_no_force_where_there_is_none(running: Browser, tmp_path
 @pytest.mark.parametrize(
     ("script", "headers"),
     [
-        ("HTMLCanvasElement.prototype.getContext = () => null", "needs WebGL2"),
+        ("HTMLCanvasElement.prototype.getContext = () => null", "needs WebGL 2"),
         ("delete window.DecompressionStream", "too old"),
     ],
 )

@@ -175,7 +175,7 @@ def test_a_file_says_all_of_it() -> None:
 @pytest.mark.parametrize(
     ("tables", "said"),
     [
-        ({"bodies": [{**DIE, "name": name} for name in "ab"]}, 'bodies "a" and "b" are in one place; move one'),
+        ({"bodies": [{**DIE, "name": name} for name in "ab"]}, 'bodies "a" and "b" overlap; move one'),
         (
             {"bodies": [{**DIE, "name": "a"}, {**DIE, "name": "b", "at": [0.03, 0.01, 0.01]}], "world": {}},
             'bodies: "a" and "b" begin 0.015 m deep in each other in the copy of user 1, more than 0.02 of',
@@ -187,7 +187,7 @@ def test_a_file_says_all_of_it() -> None:
         ),
         (
             {"bodies": [{**DIE, "name": "a"}], "world": {"boxes": [{"size": [0.02, 0.02, 0.02]}]}},
-            'world.boxes[1] and "a" are in one place in the copy of user 1',
+            'world.boxes[1] and "a" overlap in the copy of user 1',
         ),
         (
             {"world": {"meshes": [{"file": "a.msh", "unit": "m"}]}},

@@ -130,7 +130,7 @@ def test_a_law_that_does_not_say_by_which_numbers_it_pays_is_refused() -> None:
         Scenario.make(network=two(), synchronisation={"law": "pd"}, steps={"duration": 0.1}, channel={"codec": {}})
     )
     law = Law(name="not paying", before=laws()["pd"].before, after=laws()["pd"].after, sends=("v",))
-    with pytest.raises(ScenarioError, match='law "not paying" does not say by which numbers'):
+    with pytest.raises(ScenarioError, match='law "not paying" does not say in which numbers'):
         check_codec(prepared.scenario, prepared.model, law, prepared.topology.weight)
 
 

@@ -70,8 +70,12 @@ def test_both_engines_touch_alike_and_balance_it(body: dict[str, Any]) -> None:
         ),
         ({"texture": {**RIDGES, "height": 3e-3}}, {}, "contact.texture is 0.003 m high, but tools[1].radius is 0.01 m"),
         ({"texture": {"pattern": "ridges", "height": 1e-4}}, {}, "contact.texture.wavelength is missing"),
-        ({"texture": {**RIDGES, **MAP}}, {}, "has one of pattern, heights and file, but pattern and heights are given"),
-        ({"texture": {}}, {}, "a texture has one of pattern, heights and file, but none is given"),
+        (
+            {"texture": {**RIDGES, **MAP}},
+            {},
+            "needs exactly one of pattern, heights and file, but pattern and heights are given",
+        ),
+        ({"texture": {}}, {}, "a texture needs exactly one of pattern, heights and file, but none is given"),
         (
             {"texture": {**MAP, "height": 1e-4}},
             {},
@@ -91,7 +95,7 @@ def test_both_engines_touch_alike_and_balance_it(body: dict[str, Any]) -> None:
         (
             {},
             {"kind": "grasp", "friction": 0.0, "kinetic_friction": None, "axis": [0.0, 0.0, 0.01]},
-            "axis is [0.0, 0.0, 0.01], but a grasp holds what is near its middle",
+            "axis is [0.0, 0.0, 0.01], but a grasp holds what is near its centre",
         ),
     ],
 )
@@ -126,7 +130,7 @@ def test_a_map_is_laid_on_the_skin(tmp_path: Path) -> None:
     picture = {"file": str(tmp_path / "rows.png"), "height": 2e-4, **size}
     np.testing.assert_allclose(TextureTable.model_validate(picture).profile()(at, up), expected, atol=2e-6)
     (tmp_path / "rows.png").write_bytes((tmp_path / "rows.png").read_bytes()[:80])
-    with pytest.raises(CotouchError, match=r"rows\.png is a broken PNG; save it anew"):
+    with pytest.raises(CotouchError, match=r"rows\.png is a broken PNG; save it again"):
         TextureTable.model_validate(picture).profile()
     (tmp_path / "rows.png").write_bytes(b"GIF89a")
     with pytest.raises(CotouchError, match=r"rows\.png is not a PNG; save it as one"):

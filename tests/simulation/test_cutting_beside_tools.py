@@ -78,5 +78,5 @@ def test_a_pin_that_is_pressed_in_tears() -> None:
 
 def test_balls_are_still_refused_beside_rigid_tools() -> None:
     ball = {"user": 2, "at": [0.025, 0.1, 0.005]}
-    with pytest.raises(ScenarioError, match=r"others of .* are balls or grasps; take one sort only, beside blades"):
+    with pytest.raises(ScenarioError, match=r"others of .* are balls or grasps; use only one kind, beside blades"):
         prepare(scene({"path": []}, tools=[PRESSES, BLADE, ball]))

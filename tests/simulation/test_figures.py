@@ -233,7 +233,7 @@ def test_saved_as_files(pair: xr.Dataset, tmp_path: Path) -> None:
 
 def test_folder_that_cannot_be_made(pair: xr.Dataset, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    with pytest.raises(OutputError, match="cannot be made"):
+    with pytest.raises(OutputError, match="cannot be created"):
         save_figures(pair, tmp_path / "file" / "folder")
 
 

@@ -128,7 +128,7 @@ def test_netcdf_round_trip(run: xr.Dataset, tmp_path: Path) -> None:
 
 
 def test_a_result_that_cannot_be_written_is_said(run: xr.Dataset, tmp_path: Path) -> None:
-    with pytest.raises(OutputError, match="does not exist; make it first"):
+    with pytest.raises(OutputError, match="does not exist; create it first"):
         save(run, tmp_path / "nowhere" / "run.nc")
     for name in ("run.mat", "run.csv", "run"):
         with pytest.raises(OutputError, match=r"must end in \.nc, \.nc4, \.h5 or \.hdf5"):

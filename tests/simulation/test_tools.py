@@ -118,7 +118,7 @@ WRONG: list[tuple[str, str]] = [
     ("AT\n[tools.device]\nwindow=1e9", "tools[2].device: window is 1e+09 s"),
     (
         "AT\n[tools.device]\nkind='phantom'\n[tools.hand]\npath=[0.3,0,0]",
-        "tools[2].hand.path leads to [0.3, 0, 0] m from where the tool starts; a PHANToM's tip does not reach there",
+        "tools[2].hand.path leads to [0.3, 0, 0] m from where the tool starts; a PHANToM's tip cannot reach that far",
     ),
     (
         "AT\n[tools.device]\nkind='phantom'\n[tools.hand]\namplitude=[0.3,0,0]",

@@ -394,7 +394,7 @@ class TestReport:
         marks = len(found.theorem.claims) + len(found.topologies.references) + len(found.solid.claims)
         assert html.count('class="verdict yes"') == marks
         assert 'class="verdict no"' not in html
-        assert "Not everything came out" not in html
+        assert "Not all results are as expected" not in html
 
     def test_chosen_links_are_shown(self, html: str) -> None:
         for links in (BEST, WORST, MISJUDGED):
@@ -409,7 +409,7 @@ def test_the_papers_choices_of_links() -> None:
 
 def test_folder_that_cannot_be_made(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    with pytest.raises(OutputError, match="cannot be made"):
+    with pytest.raises(OutputError, match="cannot be created"):
         reproduce(tmp_path / "file" / "folder")
 
 

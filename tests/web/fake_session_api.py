@@ -321,7 +321,7 @@ class FakeSessionApi:
         if not on:
             with self._lock:
                 self._damping = 1.0
-                self._say("whoever lowered the damping is gone")
+                self._say("the page that lowered the damping is gone")
 
     def recorded(self) -> tuple[Path, ...]:
         return self.files

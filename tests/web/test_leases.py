@@ -282,10 +282,10 @@ def test_a_page_that_waits_and_leaves_is_not_next() -> None:
 def test_who_may_only_watch_keeps_nobody_out_who_may_act() -> None:
     async def story(room: Room) -> None:
         watching = [room.watch() for _ in range(MOST_PAGES)]
-        with pytest.raises(PageError, match="16 pages without the token are open"):
+        with pytest.raises(PageError, match="16 pages without the token are already open"):
             room.watch()
         acting = [room.come() for _ in range(MOST_PAGES)]
-        with pytest.raises(PageError, match="16 pages with the token are open"):
+        with pytest.raises(PageError, match="16 pages with the token are already open"):
             room.come()
         assert all(page.hello is not None for page in watching + acting)
 

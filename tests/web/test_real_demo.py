@@ -140,7 +140,7 @@ def test_a_session_is_held_cut_killed_and_watched_from_a_page(tmp_path: Path) ->
         page.click('.user[data-slot="2"] >> text=Stop process')
         page.wait_for_selector('.user[data-slot="2"]:not([data-presence="here"])')
         until(page, "!store.state.members[2].here")
-        page.click('.user[data-slot="2"] >> text=Bring back')
+        page.click('.user[data-slot="2"] >> text=Restart process')
         page.wait_for_selector('.user[data-slot="2"][data-presence="here"]')
         until(page, JOINED)
 

@@ -54,14 +54,14 @@ def test_people_meet_by_an_invitation_feel_each_other_and_part(tmp_path: Path) -
 
         # An old address says so, and offers nothing that it would be refused.
         old = opened(running, addresses["Ann"].split("#")[0] + "#token=of-yesterday", said)
-        words(old, "#banner-view", "not that of the session that runs now")
+        words(old, "#banner-view", "does not belong to the running session")
         assert old.is_hidden("#banner-control")
         assert not old.evaluate("() => window.cotouch.connection.mayAct")
         old.context.close()
 
         # A window that is gone takes its part with it; whoever has the invitation can have the slot.
         here.end("Ben", signal.SIGKILL)
-        words(ben, "#banner-lost", "Connecting again")
+        words(ben, "#banner-lost", "Reconnecting")
         until(ann, "!store.state.members[1]?.here")
         shown = str(ann.evaluate("() => window.cotouch.store.scene.invitation"))
         guest = opened(running, here.join("guest", shown), said)

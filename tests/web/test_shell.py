@@ -17,7 +17,7 @@ def test_cutting_a_link_shows_in_the_graph_the_card_and_the_verdict(here: World)
     page.click("#cut")
     page.wait_for_selector(LINK.format(1, 3) + '[data-condition="cut"]')
     words(page, LINK.format(1, 3) + " .link-words", "✕ cut")
-    words(page, "#verdict", "take note: Safe: link 2–4")
+    words(page, "#verdict", "attention: Safe: link 2–4")
     assert here.did("cut") == [{"a": 1, "b": 3, "on": True}]
     assert page.get_attribute(LINK.format(0, 1), "data-condition") == "coupled"
     page.click("#cut")
@@ -60,7 +60,7 @@ def test_a_second_page_follows_is_told_and_can_take_over(here: World) -> None:
     second = here.open()
     words(second, '.user[data-slot="0"] .hand-mode', "pointer grabs")
     second.wait_for_selector("#banner-control")
-    words(second, "#banner-control", "Another page holds the control of Ann")
+    words(second, "#banner-control", "Another page controls Ann")
     assert first.is_hidden("#banner-control")
     second.click("#banner-control >> text=Take over")
     second.wait_for_selector("#banner-control", state="hidden")
@@ -102,7 +102,7 @@ def test_a_user_is_stopped_and_brought_back(here: World) -> None:
     words(page, "#users .panel-note", "4 of 5 here")
     page.wait_for_selector('.node[data-slot="4"]:not([data-presence="here"])')
     assert page.locator(LINK.format(3, 4)).count() == 0
-    page.click('.user[data-slot="4"] >> text=Bring back')
+    page.click('.user[data-slot="4"] >> text=Restart process')
     page.wait_for_selector('.user[data-slot="4"][data-presence="here"]')
     page.wait_for_selector(LINK.format(3, 4))
 
@@ -112,7 +112,7 @@ def test_links_are_switched_and_drawn(here: World) -> None:
     page.click("#topology >> text=Worst")
     page.wait_for_selector(LINK.format(0, 4))
     words(page, "#topology .means", "fade slowest")
-    words(page, "#topology .expected", r"mean way there and back .*s\. The busiest user needs about \d")
+    words(page, "#topology .expected", r"mean round trip .*s\. The user with the highest load needs about \d")
     page.click("#topology >> text=Best")
     page.wait_for_selector(LINK.format(3, 4))
     page.click("#topology >> text=Yours")
@@ -120,7 +120,7 @@ def test_links_are_switched_and_drawn(here: World) -> None:
     apply = page.get_by_role("button", name="Apply")
     page.focus('.pair[data-link="3-4"]')
     page.keyboard.press("Enter")
-    words(page, "#topology .problem", "No way leads to Eve")
+    words(page, "#topology .problem", "No path leads to Eve")
     assert apply.is_disabled()
     page.focus('.pair[data-link="0-4"]')
     page.keyboard.press("Space")
@@ -168,22 +168,22 @@ def test_whoever_takes_part_from_elsewhere_is_sent_away_after_a_question(here: W
     card.locator(".user-head").click()
     assert card.get_attribute("data-presence") == "here"
     assert card.get_by_role("button", name="Stop process").is_hidden()
-    card.get_by_role("button", name="Send away").click()
-    question = page.get_by_role("dialog", name="Send Ben away?")
+    card.get_by_role("button", name="Remove").click()
+    question = page.get_by_role("dialog", name="Remove Ben?")
     assert "for the rest of the session" in (question.text_content() or "")
     page.keyboard.press("Enter")  # what takes nothing away has the focus
     assert here.did("expel") == []
-    card.get_by_role("button", name="Send away").click()
-    question.get_by_role("button", name="Send away").click()
+    card.get_by_role("button", name="Remove").click()
+    question.get_by_role("button", name="Remove").click()
     page.wait_for_selector('.user[data-slot="1"][data-presence="stopped"]')
     assert here.did("expel") == [{"slot": 1}]
     # One whose process runs here is stopped instead; and who only watches does neither.
     page.click('.user[data-slot="2"] .user-head')
-    assert page.locator('.user[data-slot="2"]').get_by_role("button", name="Send away").is_hidden()
+    assert page.locator('.user[data-slot="2"]').get_by_role("button", name="Remove").is_hidden()
     here.api.elsewhere.add(2)
     watching = here.open(here.server.address)
     watching.click('.user[data-slot="2"] .user-head')
-    assert watching.locator('.user[data-slot="2"]').get_by_role("button", name="Send away").count() == 0
+    assert watching.locator('.user[data-slot="2"]').get_by_role("button", name="Remove").count() == 0
 
 
 def test_a_banner_moves_nothing(here: World) -> None:
@@ -213,7 +213,7 @@ def test_a_verdict_is_said_once(here: World) -> None:
 
 def test_without_the_token_one_watches(here: World) -> None:
     page = here.open(here.server.address)
-    words(page, "#banner-view", "You are watching")
+    words(page, "#banner-view", "You are only watching")
     assert page.is_hidden("#invite")
     assert page.is_disabled("#record")
     page.click('.user[data-slot="1"] .user-head')
@@ -236,7 +236,7 @@ def test_an_old_token_is_told_and_offers_nothing(here: World) -> None:
     mine = here.open()
     mine.wait_for_function("() => window.cotouch.connection.mayAct")
     page = here.open(here.server.address + "#token=of-yesterday")
-    words(page, "#banner-view", "not that of the session that runs now")
+    words(page, "#banner-view", "does not belong to the running session")
     page.wait_for_function("() => window.cotouch.store.state.control === 'other'")
     assert page.is_hidden("#banner-control")
     assert not page.evaluate("() => window.cotouch.connection.mayAct")
@@ -275,13 +275,13 @@ def test_choices_that_are_not_known_yet_say_so(here: World) -> None:
     here.api.choices = {"start": found["start"]}
     page = here.open()
     best, worst = (page.get_by_role("radio", name=name) for name in ("Best", "Worst"))
-    words(page, "#topology .means", "As the session began. Best and worst are being worked out.")
+    words(page, "#topology .means", "The links that the session started with. Best and worst are being computed.")
     assert best.is_disabled()
-    assert "worked out" in (best.get_attribute("data-tip") or "")
+    assert "computed" in (best.get_attribute("data-tip") or "")
     assert best.inner_text() == "Best …"
     here.api.choices = found | {"worst": []}
     page.wait_for_function("() => document.querySelector('#topology [data-value=best]').textContent === 'Best'")
     assert best.is_enabled()
     assert worst.is_disabled()
-    assert worst.get_attribute("data-tip") == "None was found."
+    assert worst.get_attribute("data-tip") == "None found."
     assert "worked out" not in page.locator("#topology .means").inner_text()

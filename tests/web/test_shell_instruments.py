@@ -125,7 +125,7 @@ def test_every_joule_is_somewhere(here: World) -> None:
     heads = page.evaluate(
         "() => [...document.querySelectorAll('#energy thead th')].slice(1).map((one) => one.textContent)"
     )
-    wanted = ["hands", "+ links", "+ start", "+ shares", "− damped", "− in copy", "= rest"]
+    wanted = ["hands", "+ links", "+ start", "+ shares", "− damped", "− in copy", "= residual"]
     assert [" ".join(head.split()) for head in heads] == wanted
     for row in rows:
         hands, links, start, shared, damped, stored, left = row
@@ -162,7 +162,7 @@ def test_damping_is_lowered_behind_a_warning_and_restored_with_one_click(here: W
     dialog = page.get_by_role("dialog", name="Lower the damping")
     assert "nothing keeps energy from growing" in (dialog.text_content() or "")
     # What is safe has the focus.
-    assert page.evaluate("() => document.activeElement.textContent") == "Leave it as it is"
+    assert page.evaluate("() => document.activeElement.textContent") == "Keep it as it is"
     page.keyboard.press("Enter")
     assert here.did("damping") == []
     page.click("#lower")
@@ -174,7 +174,7 @@ def test_damping_is_lowered_behind_a_warning_and_restored_with_one_click(here: W
     page.wait_for_selector("#banner-damping", state="hidden")
     assert here.did("damping") == [{"fraction": 0.05}, {"fraction": 1}]
     # Where the button was is no other that does something, and everybody is told that it is over.
-    words(other, "#banner-restored", "All damping is back")
+    words(other, "#banner-restored", "Full damping is restored")
     page.click("#banner-restored >> text=Dismiss")
     page.wait_for_selector("#banner-restored", state="hidden")
     assert here.did("damping") == [{"fraction": 0.05}, {"fraction": 1}]
@@ -188,7 +188,7 @@ def test_the_share_of_the_damping_begins_where_the_body_shakes(
         page = here.open()
         page.click("#tab-margin")
         page.click("#lower")
-        slider = page.get_by_role("slider", name="Share of the damping")
+        slider = page.get_by_role("slider", name="Damping, as a share")
         assert slider.get_attribute("aria-valuetext") == f"{usual} of what is needed"
         slider.press("End")
         assert slider.get_attribute("aria-valuetext") == "95 % of what is needed"

@@ -57,7 +57,7 @@ def test_everything_that_can_be_pressed_has_a_name_and_events_are_said(here: Wor
     page.click("#tab-events")
     words(page, "#events li", "Dan was killed")
     page.click("#network-title + .ask")
-    words(page, "#network .explanation", "Who is joined to whom")
+    words(page, "#network .explanation", "Who is linked to whom")
 
 
 def test_nothing_is_wider_than_a_phone(here: World) -> None:
@@ -119,7 +119,7 @@ def done(page: Page) -> None:
 
 def test_the_tour_invites_runs_through_and_is_taken_up_again(here: World) -> None:
     page = here.open(first=True)
-    words(page, "#tour-offer", "Two minutes")
+    words(page, "#tour-offer", "two-minute tour")
     page.click("#tour-offer >> text=Start")
     assert page.evaluate("() => document.activeElement.id") == "tour"
     words(page, "#tour .tour-number", "Step 1 of 10")
@@ -238,12 +238,12 @@ def test_a_step_of_the_tour_is_done_only_by_doing_it(here: World) -> None:
     page = here.open()
     page.evaluate("localStorage.setItem('cotouch.tour', JSON.stringify({step: 6, over: false}))")
     page.keyboard.press("t")
-    words(page, "#tour h2", "Mend it")
+    words(page, "#tour h2", "Reconnect it")
     words(page, "#tour .tour-task", "No link is cut")
     page.wait_for_timeout(500)
     assert page.get_attribute("#tour", "data-done") is None
     here.api.do(Cut(a=1, b=3, on=True))
-    words(page, "#tour .tour-task", "Press Mend")
+    words(page, "#tour .tour-task", "Press Reconnect")
     page.wait_for_timeout(300)
     assert page.get_attribute("#tour", "data-done") is None
     here.api.do(Cut(a=1, b=3, on=False))

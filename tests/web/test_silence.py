@@ -52,8 +52,8 @@ def test_a_server_that_hangs_is_said_and_one_that_goes_on_too(running: Browser) 
         grab(page, 0.05)
         page.wait_for_function("() => window.cotouch.store.frame.copies[0].mode === 'grab'")
         server.send_signal(signal.SIGSTOP)
-        words(page, "#banner-silent", "No answer from the server")
-        words(page, "#verdict", "No answer")
+        words(page, "#banner-silent", "The server does not respond")
+        words(page, "#verdict", "No response")
         assert page.is_disabled("#record")
         assert not page.evaluate("() => window.cotouch.connection.mayAct")
         # It is tried anew, in vain: a hung server takes connections and says nothing.
@@ -92,7 +92,7 @@ def test_a_server_that_never_answered_is_said(running: Browser, here: World) -> 
             address,
         )
         page.wait_for_function(f"() => ({STATE})() === 'silent'")
-        words(page, "#banner-silent", "No answer")
+        words(page, "#banner-silent", "The server does not respond")
     here.complaints.clear()  # of a port where nobody listens any more
 
 
@@ -100,7 +100,7 @@ def test_a_session_whose_process_hangs_is_said(here: World) -> None:
     """The server answers, and what it knows of the session is old."""
     page = here.open()
     here.api.loop_age = 4.0
-    words(page, "#banner-silent", "The session’s process does not answer")
+    words(page, "#banner-silent", "The session’s process does not respond")
     assert page.is_disabled("#record")
     here.api.loop_age = 0.0
     page.wait_for_selector("#banner-silent", state="hidden")
@@ -119,9 +119,9 @@ def test_the_last_moment_stands_still(running: Browser) -> None:
             "() => Object.values(window.cotouch.store.state.members).reduce((a, b) => a + b.supplied, 0) > 0.01"
         )
         here.api.ended = True
-        words(page, "#banner-ended", "What you see is its last moment")
+        words(page, "#banner-ended", "You see its final state")
         words(page, "#verdict", "session is over")
-        words(page, '.user[data-slot="0"] .presence', "to the end")
+        words(page, '.user[data-slot="0"] .presence', "finished")
         words(page, '.user[data-slot="0"] .metrics', "500")
         words(page, "#users .panel-note", "5 of 5 here")
         assert page.evaluate("() => getComputedStyle(document.querySelector('#energy h2'), '::after').content") == (
@@ -208,12 +208,12 @@ class TestRecordings:
         words(page, "#record", r"^0:0\d$")
         trouble = "Ann's ends after 3 of 9 steps: No space left on device"
         here.api.recording_state = here.api.recording_state._replace(troubles=(trouble,))
-        words(page, "#banner-recording", "The recording is not whole: Ann's ends after 3 of 9 steps")
+        words(page, "#banner-recording", "The recording is incomplete: Ann's ends after 3 of 9 steps")
         assert page.get_attribute("#record", "data-wrong") == ""
-        assert "not whole" in (page.get_attribute("#record", "aria-label") or "")
+        assert "incomplete" in (page.get_attribute("#record", "aria-label") or "")
         here.api._recording = None
         here.api.recording_state = RecordingState(
-            state="failed", number=1, text="nothing was recorded", troubles=(trouble, "nobody left a file")
+            state="failed", number=1, text="nothing was recorded", troubles=(trouble, "no user left a file")
         )
         words(page, "#banner-recording", "Nothing was recorded: ")
         words(page, ".toast", "Nothing was recorded")
@@ -238,7 +238,7 @@ class TestRecordings:
         here.api.recording_state = here.api.recording_state._replace(number=1)
         page.route("**/recording.zip*", lambda route: route.fulfill(status=404))
         page.click("#download")
-        words(page, ".toast", "does not have the recording any more")
+        words(page, ".toast", "no longer has the recording")
         here.complaints.clear()  # the browser's own, of the 404
 
     def test_what_was_over_before_is_no_news(self, here: World) -> None:

@@ -391,12 +391,12 @@ function fail(sentence) {
 
 async function start() {
   const gl = document.createElement("canvas").getContext("webgl2");
-  if (!gl) return fail("This animation needs WebGL2, which this browser does not offer or has switched off. Any current browser with graphics acceleration shows it.");
-  if (!("DecompressionStream" in window)) return fail("This browser is too old to unpack the animation; any from 2023 on can.");
+  if (!gl) return fail("This animation needs WebGL 2, which this browser lacks or has disabled. Any current browser with graphics acceleration can show it.");
+  if (!("DecompressionStream" in window)) return fail("This browser is too old to unpack the animation; any browser from 2023 or later can.");
   gl.getExtension("WEBGL_lose_context")?.loseContext();
   const app = new App(await unpacked());
   element("notice").hidden = true;
-  element("picture").addEventListener("webglcontextlost", () => fail("The graphics card was taken away; load the page again."));
+  element("picture").addEventListener("webglcontextlost", () => fail("The graphics context was lost; reload the page."));
   // For whoever drives the page from outside: a film, a test, a talk.
   Object.assign(window, {
     cotouch: {

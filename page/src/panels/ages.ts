@@ -56,7 +56,7 @@ export function agesChart(context: Context): HTMLElement {
       chart = null;
       if (links.length) {
         chart = new Chart(
-          "Ages there and back",
+          "Ages, both ends",
           "s",
           0.01,
           [
@@ -69,7 +69,7 @@ export function agesChart(context: Context): HTMLElement {
           ],
           SECONDS,
           "ages",
-          "Sum of the ages at both ends of every link. Choose a link to make it and its budget stand out",
+          "Sum of the ages at both ends of every link. Select a link to highlight it and its budget",
         );
         holder.replaceChildren(chart.element);
       }

@@ -59,21 +59,21 @@ export function banners(context: Context): HTMLElement {
     const own = Object.entries(state?.members ?? {}).filter(([, member]) => member.recording === "failed");
     return [
       ...own.map(([slot, member]) => `The recording of ${nameOf(store, Number(slot))} stopped${member.recording_failure ? `: ${member.recording_failure}` : ""}.`),
-      ...(state?.recording.troubles.length ? [`${state.recording.state === "failed" ? "Nothing was recorded" : "The recording is not whole"}: ${state.recording.troubles.join("; ")}.`] : []),
+      ...(state?.recording.troubles.length ? [`${state.recording.state === "failed" ? "Nothing was recorded" : "The recording is incomplete"}: ${state.recording.troubles.join("; ")}.`] : []),
     ].join(" ");
   };
   const all = [
     banner("bad", "banner-lost", () =>
-      store.connection === "lost" && !ended() ? "The connection is lost; what you see is the last that was known. Connecting again …" : null),
+      store.connection === "lost" && !ended() ? "The connection is lost; you see the last known state. Reconnecting …" : null),
     banner("bad", "banner-silent", () =>
       ended() ? null
-        : store.connection === "silent" ? "No answer from the server. What you see is the last that was known; nothing can be changed until it answers."
-        : store.stalled ? "The session’s process does not answer. Users, links and energies are as they were last known; nothing can be changed until it answers."
+        : store.connection === "silent" ? "The server does not respond. You see the last known state; nothing can be changed until it responds."
+        : store.stalled ? "The session’s process does not respond. Users, links and energies show their last known state; nothing can be changed until it responds."
         : null),
     banner("bad", "banner-refused", () =>
-      store.connection === "refused" ? `The server refused this page: ${store.refusal || "no reason was given."}` : null),
+      store.connection === "refused" ? `The server refused this page: ${store.refusal || "it gave no reason."}` : null),
     banner("info", "banner-ended", () =>
-      store.connection !== "refused" && ended() ? "The session has ended. What you see is its last moment." : null),
+      store.connection !== "refused" && ended() ? "The session has ended. You see its final state." : null),
     banner("bad", "banner-recording", () => {
       const said = notRecorded();
       return said && said !== heard ? said : null;
@@ -83,20 +83,20 @@ export function banners(context: Context): HTMLElement {
       restore.disabled = !can(context, "damping");
       return store.live && share < 1 ? `Damping is lowered to ${percent(share, share < 0.01 ? 1 : 0)} of what is needed: energy can grow by itself.` : null;
     }, restore),
-    banner("info", "banner-restored", () => (returned && store.live ? "All damping is back: the copies come to rest." : null), seen),
+    banner("info", "banner-restored", () => (returned && store.live ? "Full damping is restored: the copies are coming to rest." : null), seen),
     banner("info", "banner-view", () =>
       store.connection === "open" && store.scene && !connection.hasToken
         ? connection.tokenWrong
-          ? "You are watching: the token in this address is not that of the session that runs now. Open the address that cotouch printed last."
-          : "You are watching. To take part, open the address with the token that cotouch printed."
+          ? "You are only watching: the token in this address does not belong to the running session. Open the latest address that cotouch printed."
+          : "You are only watching. To take part, open the address with the token that cotouch printed."
         : null),
     banner("warn", "banner-control", () =>
       store.live && connection.hasToken && store.state?.control === "other"
-        ? `Another page holds the control of ${nameOf(store, store.slot)}.`
+        ? `Another page controls ${nameOf(store, store.slot)}.`
         : null, take),
     banner("info", "banner-aim", () => {
       const aiming = context.aiming.get();
-      return aiming ? `Click in the picture where ${nameOf(store, aiming.slot)} shall pull.` : null;
+      return aiming ? `Click in the picture where ${nameOf(store, aiming.slot)} should pull.` : null;
     }, stop),
   ];
   const update = (): void => {

@@ -6,10 +6,10 @@ import { clock } from "./format";
 import type { ConnectionState } from "../store";
 import { themeButton } from "../theme";
 
-const LEVELS = { good: "good", warn: "take note", bad: "not guaranteed" } as const;
+const LEVELS = { good: "good", warn: "attention", bad: "not guaranteed" } as const;
 
 const WORDS: Record<ConnectionState, string> = {
-  connecting: "Connecting …", open: "Waiting for the copies …", silent: "No answer", lost: "Connection lost", refused: "Refused",
+  connecting: "Connecting …", open: "Waiting for the copies …", silent: "No response", lost: "Connection lost", refused: "Refused",
 };
 
 function mark(): SVGSVGElement {
@@ -32,7 +32,7 @@ function recorder(context: Context): { element: HTMLElement; toggle: () => void 
     if (can(context, "record") && !busy()) void context.act({ what: "record", on: store.state?.recording.state !== "on" });
   };
   const words = h("span", { class: "tabular" }, "Record");
-  const record = h("button", { type: "button", class: "button", id: "record", "data-tip": "Record what every copy does, to audit or replay it (R)" }, icon("record"), words);
+  const record = h("button", { type: "button", class: "button", id: "record", "data-tip": "Record every copy, to audit or replay later (R)" }, icon("record"), words);
   record.addEventListener("click", toggle);
   const save = button("", () => void fetched(context), { icon: "save", class: "button", id: "download", label: "Download the recording" });
   save.append(h("span", { class: "label" }, "Download"));
@@ -45,8 +45,8 @@ function recorder(context: Context): { element: HTMLElement; toggle: () => void 
     attribute(record, "data-on", on ? "" : null);
     attribute(record, "data-wrong", wrong ? "" : null);
     attribute(record, "aria-pressed", String(on));
-    const does = on ? "Stop recording" : busy() ? "The recording is being finished" : "Record";
-    attribute(record, "aria-label", wrong ? `${does}; the recording is not whole` : does);
+    const does = on ? "Stop recording" : busy() ? "Finishing the recording" : "Record";
+    attribute(record, "aria-label", wrong ? `${does}; the recording is incomplete` : does);
     const drawn = record.querySelector("svg");
     if (drawn) redraw(drawn, on ? (wrong ? "warn" : "stop") : busy() ? "wait" : now?.state === "failed" ? "warn" : "record");
     text(words, on ? clock(now.seconds) : busy() ? "Finishing …" : "Record");
@@ -70,9 +70,9 @@ async function fetched(context: Context): Promise<void> {
   const address = context.connection.link("recording.zip");
   try {
     const there = await fetch(address, { method: "HEAD", cache: "no-store", signal: AbortSignal.timeout(FETCH) });
-    if (!there.ok) return context.say("The server does not have the recording any more.", "bad");
+    if (!there.ok) return context.say("The server no longer has the recording.", "bad");
   } catch {
-    return context.say("The server did not answer; the recording is still there. Try again.", "bad");
+    return context.say("The server did not respond; the recording is still there. Try again.", "bad");
   }
   h("a", { href: address, download: "cotouch-recording.zip" }).click();
 }
@@ -88,7 +88,7 @@ export function topBar(
   const words = h("span", { class: "verdict-words" }, "Connecting …");
   const verdict = h("button", { type: "button", class: "verdict", id: "verdict",  }, sign, level, words);
   verdict.addEventListener("click", () => context.tab.set("margin"));
-  const invite = button("Invite", does.invite, { icon: "invite", class: "button", id: "invite", tip: "Let somebody take part from another computer (I)" });
+  const invite = button("Invite", does.invite, { icon: "invite", class: "button", id: "invite", tip: "Invite somebody to take part from another computer (I)" });
   const recording = recorder(context);
   const element = h(
     "header",
@@ -100,7 +100,7 @@ export function topBar(
       { class: "bar-tools" },
       recording.element,
       invite,
-      button("Tour", does.tour, { icon: "tour", class: "button", id: "tour-open", tip: "Two minutes through everything (T)" }),
+      button("Tour", does.tour, { icon: "tour", class: "button", id: "tour-open", tip: "A two-minute tour of everything (T)" }),
       button("", does.keys, { icon: "keys", class: "button bare", label: "Keyboard shortcuts", tip: "Keyboard shortcuts (?)" }),
       themeButton(store),
     ),
@@ -115,7 +115,7 @@ export function topBar(
     const sentence = now?.text ?? WORDS[store.stalled ? "silent" : store.connection];
     const said = sentence && sentence[0]?.toUpperCase() + sentence.slice(1);
     text(words, said);
-    attribute(verdict, "data-tip", `${said}. Safe (passive) means: nobody gets out energy that nobody put in. Opens the margin of every link.`);
+    attribute(verdict, "data-tip", `${said}. Safe (passive) means that nobody can take out energy that nobody put in. Click to see the margin of every link.`);
     const named = [store.scene?.title, "cotouch"].filter(Boolean).join(" · ");
     if (document.title !== named) document.title = named;
     invite.hidden = !store.scene?.invitation;

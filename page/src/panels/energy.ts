@@ -5,11 +5,11 @@ import { attribute, button, h, panel, shown, text } from "./dom";
 import { number, percent, si } from "./format";
 
 const EXPLANATION =
-  "Every step books where its energy went, to rounding, so both bars are equally long: what came in is what is still there or " +
-  "was damped. Hands put energy in, and take some back. Links are springs between copies: they give back what they hold, and " +
-  "delay makes them give more than they took, because news that is late pushes at the wrong moment. The damping is made to take " +
-  "at least that; this is what keeps the session stable. As members come and go each copy holds another share of the object, and of " +
-  "its energy. What is left over after all this is rounding.";
+  "Every step accounts for its energy, to rounding, so both bars are equally long: what came in is either still there or " +
+  "was damped. Hands put energy in and take some back. Links are springs between copies: they return what they store, and " +
+  "delay makes them return more than they took, because late samples push at the wrong moment. The damping is chosen to take " +
+  "at least that much; this keeps the session stable. As members join and leave, each copy’s share of the object changes, and with it " +
+  "its energy. The residual is rounding.";
 
 export interface Row {
   slot: number;
@@ -54,12 +54,12 @@ export function sides(rows: readonly Row[]): { came: Part[]; went: Part[] } {
   put(
     rows.reduce((sum, row) => sum + row.links, 0),
     { label: "added by links", class: "links" },
-    { label: "held or taken by links", class: "links" },
+    { label: "stored or taken by links", class: "links" },
   );
   put(
     rows.reduce((sum, row) => sum + row.shared, 0),
-    { label: "members went", class: "shared" },
-    { label: "members came", class: "shared" },
+    { label: "members leaving", class: "shared" },
+    { label: "members joining", class: "shared" },
   );
   put(-rows.reduce((sum, row) => sum + row.damped, 0), { label: "dampers", class: "damped" }, { label: "damped", class: "damped" });
   put(-rows.reduce((sum, row) => sum + row.stored, 0), { label: "copies", class: "stored" }, { label: "in the copies", class: "stored" });
@@ -68,12 +68,12 @@ export function sides(rows: readonly Row[]): { came: Part[]; went: Part[] } {
 
 const COLUMNS: { key: keyof Row; words: string; sign: string; tip: string }[] = [
   { key: "hands", words: "hands", sign: "", tip: "Put in by this user’s hand, less what it took back" },
-  { key: "links", words: "links", sign: "+", tip: "Work of the links on this copy: what delays added, less what springs hold" },
+  { key: "links", words: "links", sign: "+", tip: "Work of the links on this copy: what delays added, less what springs store" },
   { key: "initial", words: "start", sign: "+", tip: "In the copy when counting began" },
-  { key: "shared", words: "shares", sign: "+", tip: "What this copy gained or lost as members came and went: each then holds another share of the object" },
+  { key: "shared", words: "shares", sign: "+", tip: "Gained or lost as members joined and left, which changes each copy’s share of the object" },
   { key: "damped", words: "damped", sign: "−", tip: "Lost in this copy’s dampers" },
-  { key: "stored", words: "in copy", sign: "−", tip: "In this copy now, as motion and in springs" },
-  { key: "residual", words: "rest", sign: "=", tip: "Rounding" },
+  { key: "stored", words: "in copy", sign: "−", tip: "In this copy now, in motion and in springs" },
+  { key: "residual", words: "residual", sign: "=", tip: "Left over: rounding" },
 ];
 
 const UNITS: readonly [number, string][] = [[1e3, "kJ"], [1, "J"], [1e-3, "mJ"], [1e-6, "µJ"], [1e-9, "nJ"]];
@@ -113,7 +113,7 @@ export function energyPanel(context: Context): HTMLElement {
     if (base.size) base.clear();
     else for (const [slot, member] of Object.entries(store.state?.members ?? {})) base.set(Number(slot), { ...member });
     update();
-  }, { class: "button small", tip: "Leaves out what was before" });
+  }, { class: "button small", tip: "Ignore everything before now" });
   const { element, body } = panel("energy", "Energy", EXPLANATION, zero);
   const [came, went] = [h("div", { class: "stack" }), h("div", { class: "stack" })];
   const [cameSum, wentSum] = [h("span", { class: "sum tabular" }), h("span", { class: "sum tabular" })];
@@ -122,7 +122,7 @@ export function energyPanel(context: Context): HTMLElement {
   const rows = h("tbody");
   const sums = COLUMNS.map(() => h("td"));
   const closing = h("p", { class: "expected tabular" });
-  const empty = h("p", { class: "hint" }, "Nothing was booked yet.");
+  const empty = h("p", { class: "hint" }, "No energy has been counted yet.");
   const table = h("table", { class: "numbers ledger" }, h("thead", null, head), rows, h("tfoot", null, h("tr", null, h("th", { scope: "row" }, "all"), ...sums)));
   const full = h(
     "div",
@@ -161,10 +161,10 @@ export function energyPanel(context: Context): HTMLElement {
     const members = Object.values(store.state?.members ?? {});
     const worst = Math.max(0, ...members.map((member) => member.residual ?? 0));
     const closure = Math.max(0, ...members.map((member) => member.closure_factor ?? 0));
-    const told = closure > 0 ? ` Balancing steps changed velocities by ${percent(closure)} at most.` : "";
+    const told = closure > 0 ? ` Balancing the steps changed velocities by at most ${percent(closure)}.` : "";
     const cuts = cutWords(members, name);
     attribute(closing, "data-left", total > 0 ? String(Math.abs(left) / total) : null);
-    text(closing, total > 0 ? `Left over: ${exponent(left / total)} of what came in. Worst single step: off by ${exponent(worst)} of the energy in play.${told}${cuts}` : "");
+    text(closing, total > 0 ? `Residual: ${exponent(left / total)} of what came in. Worst single step: off by ${exponent(worst)} of the energy in play.${told}${cuts}` : "");
     // One unit for all: that of the greatest.
     const largest = Math.max(1e-9, ...all.flatMap((row) => COLUMNS.map((column) => Math.abs(row[column.key]))));
     const [scale, words] = UNITS.find(([one]) => largest >= one) ?? UNITS[UNITS.length - 1]!;
@@ -223,5 +223,5 @@ function cutWords(members: readonly Partial<MemberStatus>[], name: (slot: number
   const held = members.reduce((sum, member) => sum + (member.cut_energy ?? 0), 0);
   const by = (most.cut_by ?? []).flatMap((count, user) => (user > 0 && count > 0 ? [`${name(user - 1)} ${count}`] : []));
   const same = new Set(members.flatMap((member) => (member.cut_set ? [member.cut_set] : []))).size < 2;
-  return ` Cut: ${most.cuts} elements${by.length ? ` (${by.join(", ")})` : ""}, which held ${si(held, "J", 1e-12)}${same ? "" : "; not all copies know of them yet"}.`;
+  return ` Cut: ${most.cuts} elements${by.length ? ` (${by.join(", ")})` : ""}, which stored ${si(held, "J", 1e-12)}${same ? "" : "; not all copies know about them yet"}.`;
 }

@@ -7,9 +7,9 @@ const KEPT = 200;
 
 export function eventsPanel(context: Context): HTMLElement {
   const { store } = context;
-  const { element, body } = panel("events", "Events", "What happened in the session: who came and went, links that were guarded, what was asked for. Newest first.");
+  const { element, body } = panel("events", "Events", "What happened in the session: who joined and left, which links were guarded, and what was requested. Newest first.");
   const list = h("ol", { class: "events tabular" });
-  const empty = h("p", { class: "hint" }, "Nothing happened yet.");
+  const empty = h("p", { class: "hint" }, "Nothing has happened yet.");
   body.append(empty, list);
   let newest = -Infinity;
   let seen = new Set<string>();

@@ -9,7 +9,7 @@ async function copy(context: Context, words: string, what: string): Promise<void
     await navigator.clipboard.writeText(words);
     context.say(`${what} copied.`, "good");
   } catch {
-    context.say(`The browser does not let this page copy; mark the text and copy it yourself.`, "warn");
+    context.say(`The browser does not allow this page to copy; select the text and copy it yourself.`, "warn");
   }
 }
 
@@ -22,17 +22,17 @@ export function inviteDialog(context: Context): { open: () => void } {
   const { store, connection } = context;
   const invitation = h("textarea", { readonly: true, rows: 3, "aria-label": "Invitation", spellcheck: "false" });
   const command = h("textarea", { readonly: true, rows: 1, "aria-label": "Command", spellcheck: "false" });
-  const slots = h("select", { "aria-label": "Whose place" });
+  const slots = h("select", { "aria-label": "User" });
   const note = h("p", { class: "hint", role: "status" });
   const code = h("img", { alt: "The address of this page as a QR code", width: 168, height: 168, class: "qr" });
   const scan = h("figcaption", null);
   const frame = h("figure", { class: "qr-frame" }, code, scan);
-  const near = h("p", { class: "hint" }, "Only this computer can open this page. To open it on a phone by a QR code, start cotouch with --page-listen and the address of this computer.");
+  const near = h("p", { class: "hint" }, "Only this computer can open this page. To open it on a phone with a QR code, start cotouch with --page-listen and this computer’s address.");
   const free = button("Free this place", () => {
     const slot = Number(slots.value);
     void context.act({ what: "expel", slot });
   }, { class: "button small danger", icon: "stop" });
-  const whole = h("p", { class: "hint" }, "Whoever has the invitation can take part: give it only to those you trust. The other computer must reach this one over the network.");
+  const whole = h("p", { class: "hint" }, "Anyone with the invitation can take part, so give it only to people you trust. The other computer must be able to reach this one over the network.");
   const box = dialog("Invite", [
     h(
       "div",
@@ -40,10 +40,10 @@ export function inviteDialog(context: Context): { open: () => void } {
       h(
         "div",
         { class: "invite-words" },
-        h("label", { class: "field" }, h("span", null, "1. Whose place shall be taken?"), h("span", { class: "row" }, slots, free)),
+        h("label", { class: "field" }, h("span", null, "1. Choose the user to play"), h("span", { class: "row" }, slots, free)),
         note,
-        h("div", { class: "field" }, h("span", null, "2. On the other computer, type"), command, h("span", { class: "row" }, button("Copy the command", () => void copy(context, command.value, "Command"), { class: "button small" }))),
-        h("div", { class: "field" }, h("span", null, "3. There, paste the invitation"), invitation, h("span", { class: "row" }, button("Copy the invitation", () => void copy(context, invitation.value, "Invitation"), { class: "button small primary" }))),
+        h("div", { class: "field" }, h("span", null, "2. On the other computer, run"), command, h("span", { class: "row" }, button("Copy the command", () => void copy(context, command.value, "Command"), { class: "button small" }))),
+        h("div", { class: "field" }, h("span", null, "3. Paste the invitation there"), invitation, h("span", { class: "row" }, button("Copy the invitation", () => void copy(context, invitation.value, "Invitation"), { class: "button small primary" }))),
       ),
       frame,
     ),
@@ -68,9 +68,9 @@ export function inviteDialog(context: Context): { open: () => void } {
       text(scan, `opens this page on a phone, as ${nameOf(store, slot)}`);
     }
     text(note, elsewhere && taken
-      ? `${nameOf(store, slot)} is played on another computer. If you free the place, whoever plays there is sent away for the rest of the session.`
+      ? `${nameOf(store, slot)} is played on another computer. If you free the place, whoever plays there is removed for the rest of the session.`
       : taken
-      ? `${nameOf(store, slot)} is played by a process here. Free the place first; the object stays, and whoever joins with this name takes it.`
+      ? `${nameOf(store, slot)} is played by a process on this computer. Free the place first; whoever then joins with this name takes it over, and the object stays.`
       : `The place of ${nameOf(store, slot)} is free.`);
     shown(free, taken);
     free.disabled = !can(context, "expel");

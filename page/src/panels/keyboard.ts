@@ -20,19 +20,19 @@ const COLOURS = ["displacement", "stress", "plain"] as const;
 const TABLE: [string, string][] = [
   ["1 … 8", "act as this user"],
   ["G", "grab the nearest point; arrows move it, Esc lets go"],
-  ["B", "grab, push with the ball, or cut"],
-  ["Shift", "while a rigid tool is held: drag and wheel turn it"],
-  ["S", "copies overlaid or side by side"],
-  ["C", "what colours show"],
-  ["0", "look from the start again"],
+  ["B", "switch tools: grab, ball or blade"],
+  ["Shift", "while holding a rigid tool: drag and wheel turn it"],
+  ["S", "show copies overlaid or side by side"],
+  ["C", "change what colours show"],
+  ["0", "reset the view"],
   ["F", "freeze the plots"],
-  ["R", "record, stop"],
+  ["R", "start or stop recording"],
   ["I", "invite"],
-  ["T", "tour: ← → for steps, Esc leaves"],
-  ["D", "theme"],
-  ["Tab, Enter", "reach and open everything, links as well"],
-  ["+ −", "delay of the link that has the focus"],
-  ["?", "this page"],
+  ["T", "tour: ← → change steps, Esc leaves"],
+  ["D", "change the theme"],
+  ["Tab, Enter", "move to and open anything, including links"],
+  ["+ −", "change the focused link’s delay"],
+  ["?", "show these shortcuts"],
 ];
 
 /** Whether somebody types text or sets a value, so that keys are his. */
@@ -60,7 +60,7 @@ export function keyboard(context: Context, deeds: Deeds): { open: () => void } {
   });
   const box = dialog("Keyboard", [
     h("dl", { class: "keys" }, ...TABLE.flatMap(([keys, does]) => [h("dt", null, ...keys.split(" ").map((key) => (key === "…" ? " … " : h("kbd", null, key)))), h("dd", null, does)])),
-    h("label", { class: "check" }, single, h("span", null, "Single keys do these things")),
+    h("label", { class: "check" }, single, h("span", null, "Enable single-key shortcuts")),
   ], []);
   const act: Record<string, () => void> = {
     b: () => store.set({ tool: store.tools[(store.tools.indexOf(store.tool) + 1) % store.tools.length] ?? "grab" }),
@@ -84,7 +84,7 @@ export function keyboard(context: Context, deeds: Deeds): { open: () => void } {
     const slot = Number(event.key) - 1;
     if (event.key.length === 1 && slot >= 0 && slot < 8) {
       if (!store.scene?.own.includes(slot)) {
-        if (store.scene?.users.some((user) => user.slot === slot)) context.say(`${nameOf(store, slot)} moves elsewhere; this page cannot act for that user.`, "warn");
+        if (store.scene?.users.some((user) => user.slot === slot)) context.say(`${nameOf(store, slot)} is moved from elsewhere; this page cannot act for that user.`, "warn");
         return;
       }
       store.take(slot);

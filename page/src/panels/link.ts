@@ -7,17 +7,17 @@ import { paced } from "./network";
 import { CONDITIONS, condition, endCondition, isCut, spare } from "./words";
 
 const ROWS: { words: string; tip: string; show: (end: LinkStatus) => string }[] = [
-  { words: "state", tip: "What this end does with its spring", show: (end) => CONDITIONS[endCondition(end)].words },
-  { words: "age", tip: "Of the newest sample in the last step, up to the offset of the two clocks", show: (end) => ms(end.age) },
-  { words: "both ages", tip: "Greatest sum of the ages at both ends in the window; here clocks cancel", show: (end) => ms(end.ages) },
-  { words: "budget", tip: "What the damping is made for: the sum of ages that may be", show: (end) => ms(end.budget) },
-  { words: "way", tip: "Quickest way there and back", show: (end) => `${ms(end.round_trip)} ${end.path_state}` },
-  { words: "loss", tip: "Share of what the neighbour sent that did not come", show: (end) => percent(end.loss) },
-  { words: "samples", tip: "Sent to the neighbour per second", show: (end) => hertz(end.rate) },
-  { words: "data", tip: "Sent to the neighbour per second, and what the perceptual codec left out of it", show: (end) => `${si(end.size, "B/s")} in ${number(end.datagrams)}${end.saved > 0 ? `, ${percent(end.saved, 0)} saved` : ""}` },
-  { words: "force", tip: "Of the link’s spring on this copy", show: (end) => newtons(end.force) },
-  { words: "work", tip: "Of the link on this copy since the start", show: (end) => si(end.work, "J") },
-  { words: "apart", tip: "Greatest difference between the copies, as far as known", show: (end) => lengthOf(end.difference) },
+  { words: "state", tip: "State of this end’s spring", show: (end) => CONDITIONS[endCondition(end)].words },
+  { words: "age", tip: "Age of the newest sample in the last step, up to the offset between the two clocks", show: (end) => ms(end.age) },
+  { words: "both ages", tip: "Largest recent sum of the ages at both ends, in which clock offsets cancel", show: (end) => ms(end.ages) },
+  { words: "budget", tip: "Largest sum of ages that the damping covers", show: (end) => ms(end.budget) },
+  { words: "path", tip: "Shortest round trip, and whether the path is direct or relayed", show: (end) => `${ms(end.round_trip)} ${end.path_state}` },
+  { words: "loss", tip: "Share of the neighbour’s samples that did not arrive", show: (end) => percent(end.loss) },
+  { words: "samples", tip: "Samples sent to the neighbour per second", show: (end) => hertz(end.rate) },
+  { words: "data", tip: "Data and datagrams sent to the neighbour per second, and what the perceptual codec saved", show: (end) => `${si(end.size, "B/s")} in ${number(end.datagrams)}${end.saved > 0 ? `, ${percent(end.saved, 0)} saved` : ""}` },
+  { words: "force", tip: "Force of the link’s spring on this copy", show: (end) => newtons(end.force) },
+  { words: "work", tip: "Work of the link on this copy since the start", show: (end) => si(end.work, "J") },
+  { words: "apart", tip: "Largest difference between the copies, as far as known", show: (end) => lengthOf(end.difference) },
   { words: "guarded", tip: "How often the link was guarded", show: (end) => `${count(end.guarded)} ×` },
 ];
 
@@ -74,8 +74,8 @@ export function linkCard(context: Context): HTMLElement {
   const impair = (what: "delay" | "jitter" | "loss") => (value: number): void => void context.act({ what: "impair", a: pair[0], b: pair[1], [what]: value }, true);
   const sliders: Record<"delay" | "jitter" | "loss", Slider> = {
     delay: slider("delay", "Added to every sample, each way", { most: 0.5, step: 0.005, show: ms }, impair("delay")),
-    jitter: slider("jitter", "Scale of what comes on top of the delay by chance", { most: 0.1, step: 0.002, show: ms }, impair("jitter")),
-    loss: slider("loss", "Share of samples thrown away", { most: 0.5, step: 0.01, show: (value) => percent(value, 0) }, impair("loss")),
+    jitter: slider("jitter", "Scale of the random part of the delay", { most: 0.1, step: 0.002, show: ms }, impair("jitter")),
+    loss: slider("loss", "Share of samples dropped", { most: 0.5, step: 0.01, show: (value) => percent(value, 0) }, impair("loss")),
   };
   const cut = button("Cut", () => {
     const on = !(store.state && isCut(store.state, ...pair));
@@ -125,7 +125,7 @@ export function linkCard(context: Context): HTMLElement {
     text(state, CONDITIONS[now].words);
     text(means, CONDITIONS[now].means);
     const left = spare(store.state, a, b);
-    text(margin, left === null || now === "cut" ? "" : left >= 0 ? `${percent(left, 0)} of the budget of ages to spare.` : `Ages are ${percent(-left, 0)} over the budget.`);
+    text(margin, left === null || now === "cut" ? "" : left >= 0 ? `${percent(left, 0)} of the age budget to spare.` : `Ages are ${percent(-left, 0)} over budget.`);
     const done = store.state?.emulated[`${a}-${b}`];
     sliders.delay.set(done?.delay ?? 0);
     sliders.jitter.set(done?.jitter ?? 0);
@@ -133,7 +133,7 @@ export function linkCard(context: Context): HTMLElement {
     for (const one of Object.values(sliders)) one.enable(can(context, "impair"));
     clear.disabled = !can(context, "impair");
     const severed = !!store.state && isCut(store.state, a, b);
-    text(cut.lastElementChild ?? cut, severed ? "Mend" : "Cut");
+    text(cut.lastElementChild ?? cut, severed ? "Reconnect" : "Cut");
     const drawnSign = cut.querySelector("svg");
     if (drawnSign) redraw(drawnSign, severed ? "mend" : "cut");
     attribute(cut, "class", severed ? "button primary" : "button danger");

@@ -8,10 +8,10 @@ import { dialog } from "./dialog";
 import { CONDITIONS, condition, spare, worse } from "./words";
 
 const EXPLANATION =
-  "Safe, or passive, means: whatever the users do, the session as a whole never gives out more energy than hands put in, so nothing can " +
-  "start to swing by itself. It holds as long as each copy’s damping is at least what the ages on its links ask for. Damping is " +
-  "made for a budget of ages on each link; what ages leave of it is to spare. A link that goes over its budget is guarded: it then " +
-  "spends only what it has saved. Other laws than springs need no such damping, and no budget: they pay for what they do.";
+  "Safe (passive) means that whatever the users do, the session as a whole never returns more energy than hands put in, so nothing can " +
+  "start to oscillate by itself. This holds as long as each copy’s damping is at least what the ages on its links require. Damping is " +
+  "set for an age budget on each link; what the ages do not use is to spare. A link that exceeds its budget is guarded: it then " +
+  "spends only energy that it has saved. Laws other than springs need neither this damping nor a budget: they pay for their energy.";
 
 // In per cent, by powers of ten, because what matters lies near the lower end.
 const [LEAST, MOST] = [0.1, 100];
@@ -30,7 +30,7 @@ const PLACES = placeOf(MOST);
 /** The dialog that lowers the damping below what is needed. */
 export function dampingDialog(context: Context): { open: () => void } {
   const output = h("output", { class: "tabular" });
-  const input = h("input", { type: "range", min: 0, max: PLACES, step: 1, value: placeOf(USUAL.bare), "aria-label": "Share of the damping that is needed" });
+  const input = h("input", { type: "range", min: 0, max: PLACES, step: 1, value: placeOf(USUAL.bare), "aria-label": "Damping, as a share of what is needed" });
   const wear = (): void => {
     const words = `${shareAt(Number(input.value))} % of what is needed`;
     text(output, words);
@@ -44,14 +44,14 @@ export function dampingDialog(context: Context): { open: () => void } {
       "p",
       { class: "warning" },
       icon("warn", 20),
-      h("span", null, "Below what the delays need, nothing keeps energy from growing: copies begin to shake by themselves, and shake harder until they are stopped. That is what you will see, in numbers and in the picture."),
+      h("span", null, "With less damping than the delays need, nothing keeps energy from growing: copies start to shake by themselves, ever harder, until they are stopped. You will see this in the numbers and in the picture."),
     ),
-    h("p", null, "Do this with simulated hands only. Let go of any real device first."),
+    h("p", null, "Do this only with simulated hands. Let go of any real device first."),
     h("label", { class: "slider" }, h("span", null, "damping"), input, output),
-    h("p", { class: "hint" }, "Scripted hands let go meanwhile. It holds only while this page is open and answers. A copy that runs away restores the damping of all by itself; so does one click on the banner."),
+    h("p", { class: "hint" }, "Meanwhile, scripted hands let go. Damping stays lowered only while this page is open and responding. It is restored automatically when a copy runs away, and by one click on the banner."),
   ], [
     { words: "Lower it", class: "button danger", act: () => void context.act({ what: "damping", fraction: Number((shareAt(Number(input.value)) / 100).toPrecision(3)) }) },
-    { words: "Leave it as it is", class: "button primary", act: () => undefined, focus: true },
+    { words: "Keep it as it is", class: "button primary", act: () => undefined, focus: true },
   ]);
   let whose: string | undefined;
   return {
@@ -81,7 +81,7 @@ export function marginPanel(context: Context): HTMLElement {
     h(
       "table",
       { class: "numbers" },
-      h("thead", null, h("tr", null, ...["link", "ages", "of budget", "to spare", ""].map((words) => h("th", { scope: "col" }, words)))),
+      h("thead", null, h("tr", null, ...["link", "ages", "budget", "to spare", ""].map((words) => h("th", { scope: "col" }, words)))),
       links,
     ),
     agesChart(context),
@@ -95,8 +95,8 @@ export function marginPanel(context: Context): HTMLElement {
           "tr",
           null,
           h("th", { scope: "col" }, "user"),
-          h("th", { scope: "col", "data-tip": "Largest coefficient of the damping of the copy", tabindex: 0 }, "damping"),
-          h("th", { scope: "col", "data-tip": "What the damping exceeds what the budgets in force need by", tabindex: 0 }, "above need"),
+          h("th", { scope: "col", "data-tip": "Largest damping coefficient of the copy", tabindex: 0 }, "damping"),
+          h("th", { scope: "col", "data-tip": "Damping beyond what the current budgets need", tabindex: 0 }, "surplus"),
         ),
       ),
       users,

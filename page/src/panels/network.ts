@@ -7,9 +7,9 @@ import { topologyChoices } from "./topology";
 import { CONDITIONS, condition, presence, worse } from "./words";
 
 const EXPLANATION =
-  "Who is joined to whom. A number on a link is the age of what its slower end knows of the other, and the share of samples " +
-  "that got lost. Choose a link to see both its ends and to delay, disturb or cut it; drag it sideways to change its delay " +
-  "(1 ms for each point; with the keyboard + and −).";
+  "Who is linked to whom. The number on a link is the age of its later end’s newest sample, and the share of samples " +
+  "lost. Select a link to see both ends and to delay, disturb or cut it; drag it sideways to change its delay " +
+  "(1 ms per pixel; on the keyboard, + and −).";
 const NUDGE = 0.005; // s, of a key
 const MOST = 0.5; // s
 const QUIET = 100; // ms between two orders while something is drawn

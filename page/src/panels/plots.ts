@@ -7,9 +7,9 @@ import { button, h, panel, redraw, text } from "./dom";
 import { type Table, csv, thinned } from "./series";
 
 const EXPLANATION =
-  "The last 20 seconds of every copy, in the colours of the users; the line of the user that this page acts for is wider. Displacement is the " +
-  "mean of all points (along x where the object moves along a line, else how far in all), force is the hand’s on the copy, energy is what the copy holds in motion and " +
-  "springs. Move over a plot to read values; without, the newest are shown. Saved numbers are not thinned.";
+  "The last 20 seconds of every copy, in the users’ colours; the user this page acts for has a thicker line. Displacement is the " +
+  "mean over all points (along x if the object moves along a line, else the distance), force is what the hand exerts on the copy, and energy is what the copy stores in motion and " +
+  "springs. Move over a plot to read values; otherwise the newest are shown. Saved data has every value.";
 const WAIT = 45; // ms between two drawings, at least
 interface Kind {
   kind: Quantity;
@@ -20,9 +20,9 @@ interface Kind {
 }
 const LINE: Kind = { kind: "x", what: "Displacement x", unit: "m", floor: 2e-3, tip: "Mean displacement of each copy from rest, along x" };
 const KINDS: Kind[] = [
-  { kind: "displacement", what: "Displacement", unit: "m", floor: 2e-3, tip: "Mean displacement of each copy from rest, how far in all" },
-  { kind: "force", what: "Force", unit: "N", floor: 0.05, tip: "Of each user’s hand on the copy" },
-  { kind: "energy", what: "Energy", unit: "J", floor: 1e-5, tip: "In each copy: of its motion and its springs" },
+  { kind: "displacement", what: "Displacement", unit: "m", floor: 2e-3, tip: "Mean displacement of each copy from rest, as a distance" },
+  { kind: "force", what: "Force", unit: "N", floor: 0.05, tip: "Force of each user’s hand on the copy" },
+  { kind: "energy", what: "Energy", unit: "J", floor: 1e-5, tip: "Energy in each copy: in motion and in springs" },
 ];
 
 /** Gives a file to who reads the page. */
@@ -65,7 +65,7 @@ export function plotsPanel(context: Context): { element: HTMLElement; freeze: ()
     }
     const sign = stop.querySelector("svg");
     if (sign) redraw(sign, frozen ? "play" : "pause");
-    text(stop.lastElementChild ?? stop, frozen ? "Go on" : "Freeze");
+    text(stop.lastElementChild ?? stop, frozen ? "Resume" : "Freeze");
     stop.setAttribute("aria-pressed", String(!!frozen));
     element.toggleAttribute("data-frozen", !!frozen);
     drawnVersion = -1;
@@ -76,10 +76,10 @@ export function plotsPanel(context: Context): { element: HTMLElement; freeze: ()
     const heads = ["time_s", ...all.flatMap(({ head }) => slots.map((slot) => `${head} ${slot + 1} ${nameOf(store, slot)}`))];
     const numbers = csv(heads, { time: all[0]!.table.time, values: all.flatMap((one) => one.table.values) });
     download("cotouch.csv", new Blob([numbers], { type: "text/csv" }));
-  }, { icon: "save", class: "button small", label: "Save the numbers as CSV" });
+  }, { icon: "save", class: "button small", label: "Save the data as CSV" });
   const savePng = button("PNG", () => {
     picture(context, charts, slots)?.toBlob((blob) => blob && download("cotouch.png", blob));
-  }, { icon: "save", class: "button small", label: "Save the plots as a picture" });
+  }, { icon: "save", class: "button small", label: "Save the plots as an image" });
   const { element, body } = panel("plots", "Plots", EXPLANATION, stop, saveCsv, savePng);
   body.classList.add("charts");
 

@@ -5,23 +5,23 @@ import { attribute, button, choice, h } from "./dom";
 export function toolbar(context: Context, reset: () => void): HTMLElement {
   const { store } = context;
   const tool = choice("Tool", [
-    { value: "grab", words: "Grab", icon: "grab", tip: "Take hold of a point and drag it (B changes the tool)" },
-    { value: "ball", words: "Ball", icon: "ball", tip: "Push with a ball; Shift and wheel change its size" },
-    { value: "blade", words: "Blade", icon: "blade", tip: "Cut, away from you; Shift and wheel change how deep" },
+    { value: "grab", words: "Grab", icon: "grab", tip: "Take hold of a point and drag it (B switches tools)" },
+    { value: "ball", words: "Ball", icon: "ball", tip: "Push with a ball; Shift + wheel changes its size" },
+    { value: "blade", words: "Blade", icon: "blade", tip: "Cut away from you; Shift + wheel changes the depth" },
   ] as const, (value) => store.set({ tool: value }));
   const layout = choice("Copies", [
     { value: "overlay", words: "Overlaid", icon: "overlay", tip: "All copies in one place (S)" },
-    { value: "side", words: "Side by side", icon: "side", tip: "Each copy by itself: see how late the others are (S)" },
+    { value: "side", words: "Side by side", icon: "side", tip: "Each copy on its own: see how late the others are (S)" },
   ] as const, (value) => store.set({ layout: value }));
   const own = h("option", { value: "plain" }, "Plain");
-  const colour = h("select", { "aria-label": "Colour of the object", "data-tip": "What colours show (C)" },
+  const colour = h("select", { "aria-label": "Colour of the object", "data-tip": "What the colours show (C)" },
     h("option", { value: "displacement" }, "Displacement"),
     h("option", { value: "stress" }, "Stretch"),
     own,
   );
   colour.addEventListener("change", () => store.set({ colour: colour.value as "displacement" | "stress" | "plain" }));
-  const ghosts = button("Ghosts", () => store.set({ ghosts: !store.settings.ghosts }), { icon: "ghosts", class: "button small toggle", tip: "Show what others’ copies look like over yours" });
-  const home = button("", reset, { icon: "reset", class: "button small bare", label: "Look from the start again", tip: "Look from where you looked at first (0)" });
+  const ghosts = button("Ghosts", () => store.set({ ghosts: !store.settings.ghosts }), { icon: "ghosts", class: "button small toggle", tip: "Show the others’ copies over yours" });
+  const home = button("", reset, { icon: "reset", class: "button small bare", label: "Reset the view", tip: "Reset the view (0)" });
   const element = h("div", { class: "toolbar", id: "toolbar", role: "toolbar", "aria-label": "Picture" },
     h("span", { class: "space-only" }, tool.element),
     h("span", { class: "space-only" }, layout.element),

@@ -8,10 +8,10 @@ import { unreached } from "./graph";
 type Name = "start" | "best" | "worst" | "yours";
 
 const MEANS: Record<Name, string> = {
-  start: "As the session began.",
-  best: "Differences between copies fade fastest over these links.",
-  worst: "As many links, but differences fade slowest: watch the copies come back late.",
-  yours: "Click the lines between users to join or part them, then apply.",
+  start: "The links that the session started with.",
+  best: "With these links, differences between copies fade fastest.",
+  worst: "The same number of links, but differences fade slowest: watch the copies agree late.",
+  yours: "Click the lines between users to link or unlink them, then apply.",
 };
 
 /** Quickest way there and back between two users, as they measured it, linked or not [s]. */
@@ -101,7 +101,7 @@ export function topologyChoices(
     for (const name of ["start", "best", "worst"] as const) {
       const awaited = !known(name) && can(context, "links");
       options.allow(name, can(context, "links") && links(name).length > 0);
-      options.say(name, awaited ? `${title(name)} …` : title(name), awaited ? "Being worked out; this takes some seconds." : known(name) && !links(name).length ? "None was found." : MEANS[name]);
+      options.say(name, awaited ? `${title(name)} …` : title(name), awaited ? "Being computed; this takes a few seconds." : known(name) && !links(name).length ? "None found." : MEANS[name]);
     }
     options.allow("yours", can(context, "links"));
     const current: Name | null = drafting
@@ -113,18 +113,18 @@ export function topologyChoices(
     const waits = can(context, "links") && !(known("best") && known("worst"));
     const chosen = Object.keys(state?.choices ?? {}).length > 0; // by somebody's page of the whole session
     shown(options.element, chosen || can(context, "links"));
-    const meant = current && (chosen || drafting) ? (current === "yours" && !drafting ? "Links of your own." : MEANS[current]) : "";
-    text(means, waits && !drafting ? `${meant} Best and worst are being worked out.`.trim() : meant);
+    const meant = current && (chosen || drafting) ? (current === "yours" && !drafting ? "Your own links." : MEANS[current]) : "";
+    text(means, waits && !drafting ? `${meant} Best and worst are being computed.`.trim() : meant);
     const [before, after] = state ? [load(state, pairs(state.choices.start ?? state.links)), load(state, subject)] : [null, null];
     let words = subject.length ? `${subject.length} ${subject.length === 1 ? "link" : "links"}` : "";
-    if (after) words += `, mean way there and back ${ms(after.mean)}`;
+    if (after) words += `, mean round trip ${ms(after.mean)}`;
     if (before && after && before.most > 0 && !same(subject, pairs(state?.choices.start ?? []))) {
-      words += `. The busiest user needs about ${number(after.most / before.most, 1)} × the damping of the start, if springs are alike`;
+      words += `. The user with the highest load needs about ${number(after.most / before.most, 1)} × the initial damping, if all springs are equal`;
     }
     text(expected, words && `${words}.`);
     shown(drafts, drafting);
     const alone = drafting ? unreached((store.scene?.users ?? []).map((user) => user.slot), subject) : [];
-    text(warning, alone.length ? `No way leads to ${alone.map((slot) => nameOf(store, slot)).join(", ")}.` : "");
+    text(warning, alone.length ? `No path leads to ${alone.map((slot) => nameOf(store, slot)).join(", ")}.` : "");
     shown(warning, alone.length > 0);
     apply.disabled = alone.length > 0 || same(subject, now) || !can(context, "links");
     attribute(options.element, "data-drafting", drafting ? "" : null);

@@ -8,13 +8,13 @@ import { NONE, count, hertz, newtons, percent } from "./format";
 import { MODES, PRESENCE, presence } from "./words";
 
 const EXPLANATION =
-  "Every user moves a copy of the object in a process of its own, at its own rate. A step that comes too late is " +
-  "left out; the next is then longer, and energy stays exact. Force is what the hand exerts on its copy. " +
-  "Unfold a user to tell its hand what to do, to stop its process, or to act as that user.";
+  "Every user moves a copy of the object in a separate process, at its own rate. A step that comes too late is " +
+  "skipped; the next is then longer, and energy stays exact. Force is what the hand exerts on its copy. " +
+  "Expand a user to tell the hand what to do, to stop the process, or to act as that user.";
 
 const ORDERS: { value: MoveHand["mode"]; words: string; tip: string }[] = [
-  { value: "script", words: "Script", tip: "Move as the session’s file says" },
-  { value: "hold", words: "Hold", tip: "Keep what is held where it is now" },
+  { value: "script", words: "Script", tip: "Follow the session file’s script" },
+  { value: "hold", words: "Hold", tip: "Keep what is held in its current place" },
   { value: "free", words: "Let go", tip: "Hold nothing" },
   { value: "wander", words: "Wander", tip: "Move it about slowly" },
   { value: "pull", words: "Pull …", tip: "Drag it to a place" },
@@ -50,8 +50,8 @@ function card(context: Context, slot: number, leaving: Confirmation): { element:
   const mine = h("span", { class: "chip chip-mine", hidden: true }, "you");
   const hand = h("span", { class: "hand-mode" });
   const rate = metric("rate", "Steps per second");
-  const late = metric("late", "Share of the steps that were due and were left out, since the start");
-  const force = metric("force", "Of the hand on its copy");
+  const late = metric("late", "Share of all due steps that were skipped, since the start");
+  const force = metric("force", "Force of the hand on its copy");
   const folded = `user-${slot}-more`;
   const head = h(
     "button",
@@ -79,7 +79,7 @@ function card(context: Context, slot: number, leaving: Confirmation): { element:
     }
   });
   pulls.append(
-    h("p", { class: "hint" }, "Click in the picture where to pull, or choose a direction:"),
+    h("p", { class: "hint" }, "Click in the picture where to pull to, or choose a direction:"),
     h(
       "div",
       { class: "directions", role: "group", "aria-label": "Direction to pull" },
@@ -100,13 +100,13 @@ function card(context: Context, slot: number, leaving: Confirmation): { element:
     class: "button small", tip: "Open another page that acts as this user",
   });
   const kill = button("Stop process", () => void context.act({ what: "kill", slot }), {
-    class: "button small danger", icon: "stop", tip: "Ends this user’s process at once, as a crash would",
+    class: "button small danger", icon: "stop", tip: "End this user’s process at once, as a crash would",
   });
-  const away = button("Send away …", () => {
+  const away = button("Remove …", () => {
     const name = nameOf(store, slot);
-    leaving.ask(`Send ${name} away?`, `${name} takes part from another computer. The place becomes free at once, and whoever is sent away cannot come back for the rest of the session.`, () => void context.act({ what: "expel", slot }));
-  }, { class: "button small danger", icon: "stop", tip: "Sends away who plays this user on another computer" });
-  const revive = button("Bring back", () => void context.act({ what: "revive", slot }), { class: "button small", icon: "reset" });
+    leaving.ask(`Remove ${name}?`, `${name} takes part from another computer. The place becomes free at once, and whoever is removed cannot come back for the rest of the session.`, () => void context.act({ what: "expel", slot }));
+  }, { class: "button small danger", icon: "stop", tip: "Remove whoever plays this user on another computer" });
+  const revive = button("Restart process", () => void context.act({ what: "revive", slot }), { class: "button small", icon: "reset" });
   const actions: Child[] = [take, window_, kill, away, revive];
   const more = h("div", { class: "user-more", id: folded, hidden: true }, orders.element, pulls, h("div", { class: "actions" }, ...actions));
   const element = h(
@@ -131,7 +131,7 @@ function card(context: Context, slot: number, leaving: Confirmation): { element:
     const missed = live?.missed ?? 0;
     const due = (live?.steps ?? 0) + missed;
     text(late.value, due ? percent(missed / due) : NONE);
-    attribute(late.element, "data-tip", due ? `${count(missed)} of ${count(due)} steps that were due came too late and were left out` : null);
+    attribute(late.element, "data-tip", due ? `${count(missed)} of ${count(due)} due steps came too late and were skipped` : null);
     text(force.value, newtons(live?.force));
     text(hand, live ? (MODES[live.hand ?? "elsewhere"] ?? "") : "");
     orders.mark(live && own ? live.hand : null);
@@ -164,7 +164,7 @@ export function usersPanel(context: Context): HTMLElement {
   const here = h("span", { class: "panel-note" });
   const { element, body } = panel("users", "Users", EXPLANATION, here);
   const list = h("ul", { class: "users" });
-  const leaving = confirmation("Send away");
+  const leaving = confirmation("Remove");
   body.append(list);
   let cards: { element: HTMLElement; update: () => void }[] = [];
   const update = (): void => {

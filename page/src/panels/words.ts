@@ -10,7 +10,7 @@ export const PRESENCE: Record<Presence, { words: string; icon: IconName }> = {
   gone: { words: "gone", icon: "bad" },
   stopped: { words: "stopped", icon: "bad" },
   awaited: { words: "not here yet", icon: "wait" },
-  over: { words: "to the end", icon: "tick" },
+  over: { words: "finished", icon: "tick" },
 };
 
 /** Whether a user takes part. */
@@ -30,17 +30,17 @@ export const CONDITIONS: Record<Condition, { words: string; means: string; icon:
   coupled: { words: "coupled", means: "Both ends feel each other through the spring.", icon: "good" },
   catching: {
     words: "catching up",
-    means: "The end has caught up and shows that it can be relied on; it couples when both have.",
+    means: "This end has caught up and is proving reliable; the link couples when both ends have.",
     icon: "wait",
   },
   guarded: {
     words: "guarded",
-    means: "News is older than its budget, or was. The end moves its spring only as far as its saved energy pays for.",
+    means: "Samples are, or were, older than the budget allows. This end moves its spring only as far as its saved energy pays for.",
     icon: "warn",
   },
-  waiting: { words: "waiting", means: "Nothing is heard.", icon: "wait" },
-  cut: { words: "cut", means: "Nothing gets through. Each end lets go of its spring without a kick.", icon: "bad" },
-  off: { words: "not linked", means: "These two are not joined directly.", icon: "minus" },
+  waiting: { words: "waiting", means: "No samples arrive.", icon: "wait" },
+  cut: { words: "cut", means: "Nothing gets through. Each end lets go of its spring without a jolt.", icon: "bad" },
+  off: { words: "not linked", means: "These two are not linked directly.", icon: "minus" },
 };
 
 const ENDS: Record<string, Condition> = { coupled: "coupled", ready: "catching", guarded: "guarded", waiting: "waiting", keys: "waiting" };
@@ -88,6 +88,6 @@ export const MODES: Record<string, string> = {
   ball: "pointer pushes",
   blade: "pointer cuts",
   cut: "cuts",
-  pose: "leads a tool",
+  pose: "moves a tool",
   elsewhere: "on another computer",
 };

@@ -44,7 +44,7 @@ class Rails implements View, Told {
     this.canvas.setAttribute("role", "application");
     this.canvas.setAttribute("aria-label", "One slider for every user. Drag yours; G grabs, arrows move, Escape lets go.");
     element.append(this.canvas);
-    this.furniture = new Furniture(element, store, { act: "Drag your slider and feel the others through it.", look: "" });
+    this.furniture = new Furniture(element, store, { act: "Drag your slider to feel the others.", look: "" });
     this.furniture.legend("plain", "");
     this.drag = new Drag(this, connection);
     const sized = new ResizeObserver(() => this.resize());
@@ -289,7 +289,7 @@ class Rails implements View, Told {
     const y = this.height - 25;
     const x = this.narrow ? 22 : 32;
     belief(this.pen, x, y, 5.5, ink.soft, ink);
-    text(this.pen, "what a user knows of a neighbour", x + 13, y, { size: 12, colour: ink.soft });
+    text(this.pen, "where a user sees a neighbour", x + 13, y, { size: 12, colour: ink.soft });
   }
 
   private rail(slot: number, ink: Ink, now: number): void {

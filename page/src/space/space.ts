@@ -112,8 +112,8 @@ class Space implements View {
     this.world.add(this.ground.mesh, this.obstacles.group, this.dot);
     this.labels = new Labels(element);
     const leads = scene.parts.some(({ tool }) => tool && scene.own.includes(tool.slot));
-    const act = leads ? "Drag your tool to lead it, with Shift to turn it. Drag beside it to look around." : "Take hold of the object and pull. Drag beside it to look around.";
-    this.furniture = new Furniture(element, store, { act, look: "Drag to look around, and scroll to come nearer." });
+    const act = leads ? "Drag your tool to move it; hold Shift to turn it. Drag beside it to look around." : "Grab the object and pull. Drag beside it to look around.";
+    this.furniture = new Furniture(element, store, { act, look: "Drag to look around, and scroll to zoom." });
     this.touch = new Touch(this, store);
     const sized = new ResizeObserver(() => this.resize());
     sized.observe(element);

@@ -72,7 +72,7 @@ def put_together(
     turning = springs.shape[0] == 3 * rest.shape[0] or (material is not None and material.model != "linear")
     free = free_motions(rest, held if ground_stiffness > 0.0 else held[:0], turning=turning)
     if free == (6 if turning else 3):
-        notes.append("Held by nothing: pushed, it flies off. Give ground and ground_stiffness to hold it.")
+        notes.append("Nothing holds it: when pushed, it flies off. Give ground and ground_stiffness to hold it.")
     elif free:
         notes.append(f"The ground leaves {free} rigid motion{'s' * (free != 1)} free.")
     grip = np.zeros(rest.shape[0])

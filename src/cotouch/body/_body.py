@@ -133,12 +133,12 @@ class Body:
         if material is not None:
             material.check(shape)
             if (material.model == "several") != bool(parts):
-                raise BodyError(f'model is "{material.model}" of a body of {len(parts)} parts; put bodies together')
+                raise BodyError(f'model is "{material.model}" of a body of {len(parts)} parts; use `together` instead')
         object.__setattr__(self, "material", material)
         object.__setattr__(self, "parts", parts)
         more = np.array(places, dtype=np.float64).reshape(-1, 3)
         if more.size and not (self.rigid and np.isfinite(more).all()):
-            raise BodyError("places that are no nodes are of rigid bodies, and finite; leave them out")
+            raise BodyError("only rigid bodies have places that are not nodes, which must be finite; leave them out")
         object.__setattr__(self, "places", more)
 
     @property
@@ -266,7 +266,7 @@ class Body:
             UnsupportedError: the body is truncated.
         """
         if self.truncation is not None:
-            raise UnsupportedError("the body is confined to a few shapes, which have no weight; leave one of them out")
+            raise UnsupportedError("the body is truncated to a few modes, so it cannot have weight; leave one out")
         return self._made_of(replace(self.material or Material(model="linear"), gravity=gravity))
 
     def with_cutting(self, tear: float = inf, *, strength: float = inf, toughness: float = 0.0) -> "Body":

@@ -158,8 +158,8 @@ def body_from_surface(
     if heavy > _INERTIA:
         notes = [
             *notes,
-            f"Its moments of inertia are up to {100.0 * heavy:.0f} % above the solid's, as its mass sits at corners "
-            "of cells; a higher resolution is nearer.",
+            f"Its moments of inertia are up to {100.0 * heavy:.0f} % above the solid's, because its mass is at the "
+            "corners of cells; a higher resolution brings them closer.",
         ]
     rows, weights = carriers(shells.vertices, shells.triangles, cells)
     skin = Skin(vertices=shells.vertices, triangles=shells.triangles, nodes=corners[rows], weights=weights)

@@ -121,14 +121,14 @@ def body_from_tetrahedra(
     loose = hinged(elements)
     if loose > 1:
         notes.append(
-            f"{loose} groups of tetrahedra touch only at points or edges, as at hinges: there they may turn against "
-            "each other without a force."
+            f"{loose} groups of tetrahedra touch only at points or edges, as at hinges, where they can turn against "
+            "each other without any force."
         )
     used, flat = np.unique(elements, return_inverse=True)
     elements = flat.reshape(elements.shape).astype(np.int64)
     unused = mesh.points.shape[0] - used.size
     if unused:
-        notes.append(f"{unused} point{'s' * (unused != 1)} of no tetrahedron left out.")
+        notes.append(f"{unused} point{'s' * (unused != 1)} in no tetrahedron left out.")
     rest = mesh.points[used] * scale
     if rest.shape[0] > most_nodes:
         raise BodyError(
@@ -146,7 +146,7 @@ def body_from_tetrahedra(
             "one of them, so mesh the union of the parts"
         )
     if parts and (model in {"rigid", "spring-network"} or stiffness is not None):
-        raise BodyError(f'parts are given, but model "{model}" has no Young\'s modulus of its own there; leave one out')
+        raise BodyError(f'parts are given, but model "{model}" has no Young\'s modulus for each part; leave one out')
     if model == "rigid":
         solid, corners = moments_of_tetrahedra(rest, elements), skin.triangles
         return rigid_solid(skin.vertices, corners, solid, density, mass, name, "tetrahedra", unit, ground, notes)

@@ -83,7 +83,7 @@ def held_nodes(ground: Held, rest: Float, *, slack: float, spacing: float, sets:
         point, normal = _three("the plane's point", ground.point), _three("the plane's normal", ground.normal)
         length = float(np.linalg.norm(normal))
         if length == 0.0:
-            raise BodyError("the normal of the ground's plane is 0, 0, 0; it must point somewhere")
+            raise BodyError("the normal of the ground's plane is 0, 0, 0; it must not be zero")
         thickness = slack if ground.thickness is None else ground.thickness
         if not (np.isfinite(thickness) and thickness >= 0.0):
             raise BodyError(f"the thickness of the ground's plane is {thickness}; it must be at least 0 m")
@@ -136,7 +136,7 @@ def rounded_face(ground: Held, rest: Float, held: Index) -> str | None:
     deep = float(np.ptp(rest[held, axis])) if axis >= 0 else 0.0
     if deep <= _ON * float(np.ptp(rest, axis=0).max()):
         return None
-    return f'The face "{ground}" is no plane: the {held.size} nodes within {deep:.3g} m of it are held.'
+    return f'The face "{ground}" is not flat: the {held.size} nodes within {deep:.3g} m of it are held.'
 
 
 def free_motions(rest: Float, held: Index, *, turning: bool) -> int:

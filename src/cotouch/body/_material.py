@@ -110,7 +110,7 @@ class Material:
         if len(self.gravity) != 3 or not np.isfinite(self.gravity).all():
             raise BodyError(f"gravity is {self.gravity}; it must be three finite numbers [m/s²]")
         if dimension < 2 and self.model != "linear":
-            raise BodyError(f'model is "{self.model}", but the body has one axis; what turns has 2 or 3')
+            raise BodyError(f'model is "{self.model}", but the body has one axis; a body that turns needs 2 or 3')
         corners = _CORNERS.get(self.model)
         if self.cuttable and not (self.closes or self.model == "spring-network"):
             raise BodyError(
@@ -139,7 +139,7 @@ class Material:
             if not abs(np.linalg.det(frame_of(rest))) > 0.0:
                 raise BodyError("the four nodes of a rigid body lie in a plane; they must span a volume")
         elif self.model == "rigid":
-            raise BodyError(f"a rigid body has {nodes} nodes; it must have 4, which are its one element")
+            raise BodyError(f"a rigid body has {nodes} nodes; it must have 4, which form its one element")
         elif corners == 4:
             self._check_solid(rest)
             return
@@ -155,13 +155,13 @@ class Material:
         count, wide = self.faces.shape[0], {4: 6, 8: 8}.get(self.elements.shape[-1], 0)
         shapes = self.faces.shape, self.sides.shape, self.ties.shape, self.part.shape
         if not self.cuttable or shapes != ((count, wide), (count, 2), (count,), (nodes,)):
-            raise BodyError(f"faces are given by arrays of {shapes}; they fit no body of {nodes} nodes")
+            raise BodyError(f"faces are given by arrays of {shapes}; they do not fit a body of {nodes} nodes")
         inside = self.faces.min() >= 0 and self.faces.max() < nodes
         inside &= bool(self.sides.min() >= 0 and self.sides.max() < self.elements.shape[0])
         if not (
             inside and np.all((self.ties >= 0.0) & (self.ties < inf)) and np.all((self.part > 0.0) & (self.part <= 1.0))
         ):
-            raise BodyError("faces name nodes or elements that there are not, or a tie or part is out of its range")
+            raise BodyError("faces name nodes or elements that do not exist, or a tie or part is out of range")
 
     def _check_solid(self, rest: Float) -> None:
         least = 0.0 if self.model == "neo-hookean" else -1.0

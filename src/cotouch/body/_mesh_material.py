@@ -189,5 +189,5 @@ def warned(model: str, poisson: float) -> list[str]:
         poisson: Poisson's ratio.
     """
     if model not in _OF_SPRINGS and poisson > _LOCKS:
-        return [f"Poisson's ratio {poisson:g}: so near to 0.5 linear elements are too stiff."]
+        return [f"Poisson's ratio {poisson:g}: this close to 0.5, linear elements are too stiff."]
     return []

@@ -75,8 +75,8 @@ def _choice(fractions: Float, part: int | None, name: str) -> int:
             ", ..." if fractions.size > 5 else ""
         )
         raise BodyError(
-            f"{name} has {fractions.size} separate parts ({shown} of its volume) that nothing joins; choose one with "
-            "part, or join them"
+            f"{name} has {fractions.size} separate parts ({shown} of its volume) that are not connected; choose one "
+            "with part, or join them"
         )
     return 0
 
@@ -84,7 +84,7 @@ def _choice(fractions: Float, part: int | None, name: str) -> int:
 def _left(parts: int, chosen: int, part: int | None) -> str:
     if part is None:
         return f"{parts - 1} loose part{'s' * (parts > 2)} left out, below 1 % of the volume."
-    return f"Part {chosen + 1} of {parts} taken."
+    return f"Part {chosen + 1} of {parts} used."
 
 
 def _together(elements: Long, nodes: int) -> Long:
@@ -126,7 +126,7 @@ def without_broken(points: Float, elements: Long, name: str, notes: list[str]) -
     inverted = (volumes < 0.0) & ~flat
     if inverted.any():
         count = int(inverted.sum())
-        notes.append(f"{count} of {elements.shape[0]} tetrahedra turned round.")
+        notes.append(f"{count} of {elements.shape[0]} tetrahedra were inverted and have been flipped.")
     elements = np.where(inverted[:, None], elements[:, [0, 2, 1, 3]], elements)[~flat]
     _, first = np.unique(np.sort(elements, axis=1), axis=0, return_index=True)
     if first.size < elements.shape[0]:

@@ -28,11 +28,13 @@ def metres(unit: str | None, source: str) -> float:
     if unit is None:
         if Path(source).suffix.lower() in _METRES:
             return 1.0
-        raise BodyError(f'the unit of {source} is not given and no mesh says it; give unit "m", "mm", "cm" or "in"')
+        raise BodyError(
+            f'the unit of {source} is not given, and the mesh does not state it; give unit "m", "mm", "cm" or "in"'
+        )
     if unit not in UNITS:
         raise BodyError(f'the unit of {source} is "{unit}"; it must be "m", "mm", "cm" or "in"')
     if Path(source).suffix.lower() in _METRES and unit != "m":
-        raise BodyError(f'the unit of {source} is "{unit}", but glTF is in metres by its standard; leave unit out')
+        raise BodyError(f'the unit of {source} is "{unit}", but glTF files are always in metres; leave unit out')
     return UNITS[unit]
 
 

@@ -109,9 +109,9 @@ def repaired(mesh: Mesh, source: str) -> Shells:
     triangles = np.where(back[:, None], triangles[:, ::-1], triangles)
     changed = int(np.count_nonzero(turned ^ back[:original]))
     if changed == original:
-        notes.append("The surface was inside out; it was turned.")
+        notes.append("The surface was inside out and has been flipped.")
     elif changed:
-        notes.append(f"{_many(changed, 'triangle')} of {original} turned round, to have one outside.")
+        notes.append(f"{_many(changed, 'triangle')} of {original} flipped, so that all face outwards.")
     made = Shells(vertices=vertices, triangles=triangles, shell=shell, volumes=sign * volumes, notes=())
     if small.any():
         notes.append(f"{_many(int(small.sum()), 'speck')} left out, each below 0.1 % of the largest part.")
@@ -208,7 +208,7 @@ def _turned(triangles: Long, source: str) -> tuple[Bool, Long]:
     wrong = int(np.count_nonzero((turned[f] ^ turned[g]) != opposed))
     if wrong:
         raise BodyError(
-            f"{source} has one side only, like a Möbius band ({_many(wrong, 'edge')} cannot be made to agree); it must "
+            f"{source} has only one side, like a Möbius band ({_many(wrong, 'edge')} cannot be made to agree); it must "
             "have an inside and an outside"
         )
     return turned.astype(np.bool_), shell.astype(np.int64)

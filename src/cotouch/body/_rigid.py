@@ -191,7 +191,8 @@ def rigid_solid(
     """
     if not (isinstance(ground, str) and ground == "none"):
         raise BodyError(
-            'ground is given, but model is "rigid", which nothing holds; leave ground out, and hold it by hand'
+            'ground is given, but model is "rigid", which cannot be held to the ground; leave ground out, and hold it '
+            "by hand"
         )
     volume, centre, spread = solid
     corners = vertices[np.asarray(triangles)]

@@ -102,18 +102,18 @@ def _refuse_same(parts: Sequence[Part]) -> None:
                 continue
             apart = max(np.abs(low - boxes[j][0]).max(), np.abs(high - boxes[j][1]).max())
             if apart <= _SAME * float((high - low).max()):
-                raise BodyError(f'bodies "{parts[j].name}" and "{parts[k].name}" are in one place; move one of them')
+                raise BodyError(f'bodies "{parts[j].name}" and "{parts[k].name}" overlap; move one of them')
 
 
 def _check(placed: Placed, names: list[str]) -> None:
     body, name = placed.body, placed.name
     if not name or name in names:
         what = f'two bodies are named "{name}"' if name else "a body has an empty name"
-        raise BodyError(f"{what}; each needs a name of its own")
+        raise BodyError(f"{what}; each needs a different name")
     if body.parts:
-        raise UnsupportedError(f'body "{name}" is several itself; list them one by one')
+        raise UnsupportedError(f'body "{name}" consists of several bodies; list them one by one')
     if body.truncation is not None:
-        raise UnsupportedError(f'body "{name}" is truncated to a few shapes; among several leave modes out')
+        raise UnsupportedError(f'body "{name}" is truncated to a few modes; among several bodies, leave modes out')
     if body.dimension != 3 or body.skin is None or not body.skin.triangles.size:
         what = f"has {body.dimension} axes" if body.dimension != 3 else "has no skin"
         raise UnsupportedError(f'body "{name}" {what}; bodies meet by their skins, so take it from a mesh or a lattice')

@@ -101,7 +101,7 @@ def truncate(
     statics = factorise(mass, stiffness, rest)
     values, shapes = lowest_modes(mass, stiffness, rest, min(modes + 1, rows), statics)
     if modes < values.size and values[modes] == 0.0:
-        raise BodyError(f"modes is {modes}, but more rigid motions than that are free; keep them all, or hold the body")
+        raise BodyError(f"modes is {modes}, but more rigid motions are free; keep at least these, or hold the body")
     values, shapes = values[:modes], shapes[:, :modes]
     bends = values > 0.0
     extra_values, extra = np.zeros(0), np.zeros((rows, 0))

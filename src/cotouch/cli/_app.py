@@ -47,15 +47,15 @@ def simulate(
     out: Annotated[
         Path | None, typer.Option(help="Write the whole run to this NetCDF file.", show_default=False)
     ] = None,
-    figures: Annotated[Path | None, typer.Option(help="Draw figures into this folder.", show_default=False)] = None,
+    figures: Annotated[Path | None, typer.Option(help="Save figures to this folder.", show_default=False)] = None,
     animation: Annotated[
         Path | None,
-        typer.Option(help="Write the run in three dimensions as this HTML page.", show_default=False),
+        typer.Option(help="Write a 3D animation of the run to this HTML file.", show_default=False),
     ] = None,
     law: Annotated[
         str | None,
         typer.Option(
-            help="Law of the links, instead of the scenario's: spring (the paper's), paid, wave ...", show_default=False
+            help="Link law, overriding the scenario's: spring (the paper's), paid, wave ...", show_default=False
         ),
     ] = None,
     as_json: AsJson = False,
@@ -70,16 +70,14 @@ def simulate(
 @app.command()
 def feel(
     scenario: Annotated[Path, typer.Argument(help="Scenario (TOML).", show_default=False)],
-    user: Annotated[int, typer.Option(help="Whose hand.", min=1)] = 1,
-    others: Annotated[str, typer.Option(help="What the other hands do: free, or holding still.")] = "free",
-    law: Annotated[str | None, typer.Option(help="Instead of the scenario's law.", show_default=False)] = None,
-    figures: Annotated[
-        Path | None, typer.Option(help="Draw the Bode plot into this folder.", show_default=False)
-    ] = None,
-    measure: Annotated[bool, typer.Option(help="Simulate, beside predicting.")] = True,
+    user: Annotated[int, typer.Option(help="The user whose hand it is.", min=1)] = 1,
+    others: Annotated[str, typer.Option(help="What the other hands do: free or holding.")] = "free",
+    law: Annotated[str | None, typer.Option(help="Link law, overriding the scenario's.", show_default=False)] = None,
+    figures: Annotated[Path | None, typer.Option(help="Save the Bode plot to this folder.", show_default=False)] = None,
+    measure: Annotated[bool, typer.Option(help="Simulate as well as predict.")] = True,
     as_json: AsJson = False,
 ) -> None:
-    """Say what a hand feels of the object: drag, mass, stiffness, and impedance over frequency."""
+    """Report what a hand feels: drag, mass, stiffness, and impedance over frequency."""
     from cotouch.cli._laboratory import feel as run
 
     run(scenario, user=user, others=others, law=law, figures=figures, measure=measure, as_json=as_json)
@@ -91,18 +89,18 @@ def sweep(
     vary: Annotated[
         list[str],
         typer.Option(
-            help="OPTION=VALUES: link.delay=0.01:0.1:10, synchronisation.law=spring,wave; again for more.",
+            help="OPTION=VALUES: link.delay=0.01:0.1:10, synchronisation.law=spring,wave; repeatable.",
             show_default=False,
         ),
     ],
     out: Annotated[
-        Path | None, typer.Option(help="Folder for results; resumes what is there.", show_default=False)
+        Path | None, typer.Option(help="Folder for results; an interrupted sweep resumes.", show_default=False)
     ] = None,
     dask: Dask = None,
-    jobs: Annotated[int, typer.Option(help="Runs at once; -1: one per core.", min=-1)] = -1,
+    jobs: Annotated[int, typer.Option(help="Parallel runs; -1: one per core.", min=-1)] = -1,
     as_json: AsJson = False,
 ) -> None:
-    """Run a scenario with options varied, in every combination."""
+    """Run a scenario for every combination of the given option values."""
     from cotouch.cli._laboratory import sweep as run
 
     run(scenario, vary=vary, out=out, dask=dask, jobs=jobs, as_json=as_json)
@@ -112,10 +110,10 @@ def sweep(
 def compare(
     study: Annotated[Path, typer.Argument(help="Study (TOML): laws, networks, tasks, users.", show_default=False)],
     out: Annotated[
-        Path, typer.Option(help="Folder for results and report; resumes what is there.", show_default=False)
+        Path, typer.Option(help="Folder for results and report; an interrupted study resumes.", show_default=False)
     ],
     dask: Dask = None,
-    jobs: Annotated[int, typer.Option(help="Cells at once; -1: one per core.", min=-1)] = -1,
+    jobs: Annotated[int, typer.Option(help="Parallel cells; -1: one per core.", min=-1)] = -1,
     as_json: AsJson = False,
 ) -> None:
     """Compare link laws over networks, tasks and numbers of users, and write a report."""
@@ -137,7 +135,7 @@ def certify(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Compute the damping that keeps a network passive, by each method, and say what each covers."""
+    """Compute the damping that keeps a network passive, by each method, and say what each guarantees."""
     from cotouch.cli._certify import run
 
     run(network, period=period, damping=damping, as_json=as_json)
@@ -153,39 +151,42 @@ def body(
     ],
     unit: Annotated[
         str | None,
-        typer.Option(help="Unit of the file: m, mm, cm or in; only GLB files state theirs.", show_default=False),
+        typer.Option(
+            help="Length unit of the file: m, mm, cm or in; only GLB files state their own.", show_default=False
+        ),
     ] = None,
     resolution: Annotated[
         int | None,
-        typer.Option(help="Cells along the longest side, for surfaces (default 12).", show_default=False),
+        typer.Option(help="For surfaces: cells along the longest side (default 12).", show_default=False),
     ] = None,
     model: Annotated[
         str | None,
-        typer.Option(help="springs (default of surfaces) or elastic (default of tetrahedra).", show_default=False),
+        typer.Option(help="springs (default for surfaces) or elastic (default for tetrahedra).", show_default=False),
     ] = None,
     frame: Annotated[str | None, typer.Option(help="floating (default) or fixed.", show_default=False)] = None,
     young: Annotated[float, typer.Option(help="Young's modulus [Pa].")] = 1e4,
     poisson: Annotated[float, typer.Option(help="Poisson's ratio.")] = 0.3,
     stiffness: Annotated[
-        float | None, typer.Option(help="Of each spring, instead of Young's modulus [N/m].", show_default=False)
+        float | None,
+        typer.Option(help="Stiffness of each spring, instead of Young's modulus [N/m].", show_default=False),
     ] = None,
     density: Annotated[float, typer.Option(help="Density [kg/m³].")] = 1000.0,
     mass: Annotated[
-        float | None, typer.Option(help="Of the whole body, instead of the density [kg].", show_default=False)
+        float | None, typer.Option(help="Total mass, instead of a density [kg].", show_default=False)
     ] = None,
-    rayleigh_mass: Annotated[float, typer.Option(help="α of the damping α M + β K [1/s].")] = 0.0,
-    rayleigh_stiffness: Annotated[float, typer.Option(help="β [s].")] = 0.0,
+    rayleigh_mass: Annotated[float, typer.Option(help="α in the damping α M + β K [1/s].")] = 0.0,
+    rayleigh_stiffness: Annotated[float, typer.Option(help="β in that damping [s].")] = 0.0,
     ground: Annotated[
         str,
         typer.Option(
-            help="What is held: none, all, a face such as z-, set:NAME, plane:X,Y,Z/NX,NY,NZ[/THICKNESS] or "
+            help="What is held in place: none, all, a face such as z-, set:NAME, plane:X,Y,Z/NX,NY,NZ[/THICKNESS] or "
             "box:X,Y,Z/X,Y,Z, in metres."
         ),
     ] = "none",
     ground_stiffness: Annotated[float, typer.Option(help="Stiffness of each held node [N/m].")] = 1e3,
     ground_damping: Annotated[float, typer.Option(help="Damping of each held node [Ns/m].")] = 0.0,
     part: Annotated[
-        int | None, typer.Option(help="Which of several parts to use; the biggest is 1.", show_default=False)
+        int | None, typer.Option(help="Which of several parts to use; the largest is 1.", show_default=False)
     ] = None,
     modes: Annotated[
         int | None,
@@ -197,10 +198,10 @@ def body(
     most_nodes: Annotated[
         int | None, typer.Option(help="Refuse bodies with more nodes than this.", show_default=False)
     ] = None,
-    figures: Annotated[Path | None, typer.Option(help="Draw a figure into this folder.", show_default=False)] = None,
+    figures: Annotated[Path | None, typer.Option(help="Save a figure to this folder.", show_default=False)] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Make a body from a mesh and report on it: repairs, size, mass, first modes, supports; or list a scenario's."""
+    """Build a body from a mesh and describe it: repairs, size, mass, first modes, supports; or list a scenario's."""
     from cotouch.cli._body import run
 
     run(
@@ -234,12 +235,12 @@ def plan(
         Path | None, typer.Argument(help="A network or scenario, TOML; not needed with --delays.", show_default=False)
     ] = None,
     links: Annotated[
-        str, typer.Option(help='How many: 6, a range such as 4-8, or "at most 8".', show_default=False)
+        str, typer.Option(help='Number of links: 6, a range such as 4-8, or "at most 8".', show_default=False)
     ] = "",
     objective: Annotated[
         str | None,
         typer.Option(
-            help="What to minimise: consensus, decay, damping, drag or feel; decay if delays are no whole time units.",
+            help="What to minimise: consensus, decay, damping, drag or feel; decay if delays are not whole time units.",
             show_default="consensus",
         ),
     ] = None,
@@ -248,22 +249,24 @@ def plan(
     rounding: Annotated[str, typer.Option(help="Rounding of delays to time units: exact, nearest or up.")] = "exact",
     require: Annotated[
         list[str] | None,
-        typer.Option(help="Links that must be, as 1-2 or Ann-Ben; again for more.", show_default=False),
+        typer.Option(help="A required link, as 1-2 or Ann-Ben; repeatable.", show_default=False),
     ] = None,
     forbid: Annotated[
         list[str] | None,
-        typer.Option(help="Links that may not be, as 1-3 or Ann-Ben; again for more.", show_default=False),
+        typer.Option(help="A forbidden link, as 1-3 or Ann-Ben; repeatable.", show_default=False),
     ] = None,
     max_degree: Annotated[
         int | None, typer.Option(help="Maximum number of links per user.", show_default=False)
     ] = None,
     damping_limit: Annotated[
-        float | None, typer.Option(help="Most damping of one user [Ns/m].", show_default=False)
+        float | None, typer.Option(help="Maximum damping of any user [Ns/m].", show_default=False)
     ] = None,
     drag_limit: Annotated[
-        float | None, typer.Option(help="Most drag that all users together feel [Ns/m].", show_default=False)
+        float | None, typer.Option(help="Maximum total drag over all users [Ns/m].", show_default=False)
     ] = None,
-    lost: Annotated[str, typer.Option(help="Judge by the worst loss: nothing, link or user.")] = "nothing",
+    lost: Annotated[
+        str, typer.Option(help="Judge each choice after its worst single loss of: nothing, link or user.")
+    ] = "nothing",
     mass: Annotated[
         float | None, typer.Option(help="Mass of the object [kg]; default: the file's, else 1.", show_default=False)
     ] = None,
@@ -275,31 +278,35 @@ def plan(
         float | None,
         typer.Option(help="Stiffness of the object [N/m]; default: the file's, else 0.", show_default=False),
     ] = None,
-    top: Annotated[int, typer.Option(help="How many of the best choices to show.")] = 5,
+    top: Annotated[int, typer.Option(help="Number of best choices to show.")] = 5,
     method: Annotated[str, typer.Option(help="Method: auto, enumerate, bound or local.")] = "auto",
     seconds: Annotated[float | None, typer.Option("--time-limit", help="Time limit [s].", show_default=False)] = None,
     seed: Annotated[int, typer.Option(help="Seed of the local search's random starts.")] = 0,
     dask: Dask = None,
     delays: Annotated[
         list[Path] | None,
-        typer.Option(help="Table of round trips in ms, CSV, of all users; again for more times.", show_default=False),
+        typer.Option(
+            help="CSV table of all users' round trips [ms]; repeat for further measurements.", show_default=False
+        ),
     ] = None,
     pick: Annotated[
-        str | None, typer.Option(help="Of the table's users only these: NAME,NAME,...", show_default=False)
+        str | None, typer.Option(help="Use only these users of the table: NAME,NAME,...", show_default=False)
     ] = None,
-    spring: Annotated[float, typer.Option(help="Of every link, with --delays [N/m].")] = 50.0,
-    quantile: Annotated[float, typer.Option(help="Of a pair's measured round trips: 1 is the worst.")] = 1.0,
+    spring: Annotated[float, typer.Option(help="Stiffness of every link, with --delays [N/m].")] = 50.0,
+    quantile: Annotated[
+        float, typer.Option(help="Which quantile of a pair's measured round trips to use; 1 is the longest.")
+    ] = 1.0,
     tune_springs: Annotated[
         float | None,
         typer.Option(
-            help="Also choose the springs, with no user's damping above this [Ns/m].",
+            help="Also tune the springs, with no user's damping above this [Ns/m].",
             show_default=False,
         ),
     ] = None,
-    figures: Annotated[Path | None, typer.Option(help="Draw figures into this folder.", show_default=False)] = None,
+    figures: Annotated[Path | None, typer.Option(help="Save figures to this folder.", show_default=False)] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Find the best links for an objective, and say whether that is proved."""
+    """Find the best links for an objective, and say whether they are proved optimal."""
     from cotouch.cli._plan import run
 
     run(
@@ -362,7 +369,7 @@ def main() -> None:
         sys.stderr.write(f"cotouch: {error}\n")
         sys.exit(2)
     except MemoryError:
-        sys.stderr.write("cotouch: there is not enough memory for this; make the run shorter or the body coarser\n")
+        sys.stderr.write("cotouch: not enough memory; make the run shorter or the body coarser\n")
         sys.exit(2)
     except SystemExit as end:
         if end.code == INTERRUPTED:  # typer makes this of a KeyboardInterrupt, without a word

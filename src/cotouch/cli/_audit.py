@@ -29,7 +29,7 @@ def run(files: Sequence[Path], *, figures: Path | None, tolerance: float | None,
     with working("Reading ...", quiet=as_json):
         recordings = [read_recording(file) for file in files]
     options = {} if tolerance is None else {"tolerance": tolerance}
-    with working("Working the energy out anew ...", quiet=as_json):
+    with working("Recomputing the energy ...", quiet=as_json):
         result = audit(recordings, **options)
     written: list[Path] = []
     if figures is not None:
@@ -62,22 +62,22 @@ def _print(result: "Audit", written: Sequence[Path]) -> None:
 
 def _law(result: "Audit") -> str:
     law = result.law
-    said = [] if law.on_the_way is None else [f"{number(law.on_the_way, 'J')} given and not taken"]
-    said.append("felt drag not known" if law.drag is None else f"felt drag {number(law.drag, 'Ns/m')}")
+    said = [] if law.on_the_way is None else [f"{number(law.on_the_way, 'J')} still on its way"]
+    said.append("felt drag unknown" if law.drag is None else f"felt drag {number(law.drag, 'Ns/m')}")
     return f"  Law {literal(law.name)}: {', '.join(said)}"
 
 
 def _users(console: "Console", result: "Audit") -> None:
     rows: list[tuple[str, Callable[[UserLedger], float]]] = [
         ("put in by hands and tools", lambda ledger: ledger.supplied),
-        ("work of the links", lambda ledger: ledger.link_work),
-        ("taken by the body's dampers", lambda ledger: 0.0 - ledger.body_loss),
-        ("taken by damping B of the links", lambda ledger: 0.0 - ledger.local_loss),
-        ("taken by extra damping B_e", lambda ledger: 0.0 - ledger.extra_loss),
+        ("added by links", lambda ledger: ledger.link_work),
+        ("lost in the body's dampers", lambda ledger: 0.0 - ledger.body_loss),
+        ("lost in the links' damping B", lambda ledger: 0.0 - ledger.local_loss),
+        ("lost in extra damping B_e", lambda ledger: 0.0 - ledger.extra_loss),
         ("lost in contacts and grasps", lambda ledger: 0.0 - ledger.touch_loss),
-        ("came with joining and leaving", lambda ledger: ledger.members),
-        ("stored, more than at the start", lambda ledger: ledger.stored),
-        ("done by closing steps, in no sum", lambda ledger: ledger.closure),
+        ("change from joining and leaving", lambda ledger: ledger.members),
+        ("increase in stored energy", lambda ledger: ledger.stored),
+        ("work of closing steps, not in the sums", lambda ledger: ledger.closure),
     ]
     seldom = ("joining", "closing")
     rows = [row for row in rows if any(map(row[1], result.users)) or not any(word in row[0] for word in seldom)]
@@ -95,9 +95,12 @@ def _links(console: "Console", result: "Audit") -> None:
         ("on the\nfirst", lambda ledger: number(ledger.work[0])),
         ("on the\nsecond", lambda ledger: number(ledger.work[1])),
         ("its\nspring", lambda ledger: number(ledger.spring)),
-        *((f"made,\n{state}", lambda ledger, state=state: number(ledger.by_state.get(state, 0.0))) for state in states),
+        *(
+            (f"added,\n{state}", lambda ledger, state=state: number(ledger.by_state.get(state, 0.0)))
+            for state in states
+        ),
         ("damping\ntook", lambda ledger: number(ledger.dissipated)),
-        ("most\nbeyond", lambda ledger: number(ledger.excess, digits=2) if ledger.strict else "not judged"),
+        ("worst\nexcess", lambda ledger: number(ledger.excess, digits=2) if ledger.strict else "not judged"),
     ]
     print_columns(
         console,

@@ -84,7 +84,8 @@ def _refuse_mesh_options(path: Path, options: dict[str, Any]) -> None:
     for name, value in options.items():
         if value is not None and value != _USUAL.get(name):
             raise ScenarioError(
-                f'--{name.replace("_", "-")} is {value}, but "{path}" is a scenario, which says it itself; leave it out'
+                f'--{name.replace("_", "-")} is {value}, but "{path}" is a scenario, which sets this itself; leave '
+                f"the option out"
             )
 
 
@@ -93,7 +94,7 @@ def _tell_scenario(path: Path, *, as_json: bool) -> None:
     from cotouch.interrupt import interruptible
     from cotouch.scenario import Scenario
 
-    with working("Making the bodies", quiet=as_json):
+    with working("Building the bodies", quiet=as_json):
         body = interruptible(Scenario.read(path).build_body)()
     found = [_of_scenario(one.name, one.body, one.rest()) for one in body.parts] or [_of_scenario("", body, body.rest)]
     if as_json:
@@ -105,7 +106,7 @@ def _tell_scenario(path: Path, *, as_json: bool) -> None:
 
     title = f"{path.name}: {len(found)} bod{'ies' if len(found) > 1 else 'y'}, {body.nodes:,} nodes"
     table = Table(box=SIMPLE_HEAD, title=literal(title), title_justify="left", title_style="bold")
-    for name in ("body", "model", "nodes", "skin", "mass", "size", "middle"):
+    for name in ("body", "model", "nodes", "skin", "mass", "size", "centre"):
         table.add_column(name)
     for one in found:
         size, middle = (" × ".join(map(number, one["size_m"])), ", ".join(map(number, one["middle_m"])))
@@ -186,8 +187,8 @@ def _table(numbers: dict[str, Any]) -> "Table":
     from rich.table import Table
 
     table = Table(box=SIMPLE_HEAD, title=literal(Path(numbers["file"]).name), title_justify="left", title_style="bold")
-    table.add_column("what")
-    table.add_column("understood")
+    table.add_column("quantity")
+    table.add_column("value")
     cells = numbers["kind"] == "surface"
     size = " × ".join(number(extent) for extent in numbers["size_m"])
     table.add_row("size", f"{size} m (unit: {numbers['unit']})")
@@ -205,15 +206,15 @@ def _table(numbers: dict[str, Any]) -> "Table":
     loose = f", {free} rigid motion{'s' * (free != 1)} free" if free else ""
     table.add_row("held by", f"the ground at {held:,} node{'s' * (held != 1)}{loose}" if held else f"nothing{loose}")
     heard = ", ".join(number(value, digits=3) for value in numbers["frequencies_hz"])
-    each = ", each along every axis" if numbers["times_each"] > 1 else ""
+    each = ", each along all axes" if numbers["times_each"] > 1 else ""
     if not rigid:
         table.add_row("first modes", f"{heard} Hz{each}")
     if "truncation" in numbers:
         found = numbers["truncation"]
         table.add_row(
             f"{found['modes']} modes",
-            f"compliance at {len(found['contacts'])} nodes of the skin off by up to "
-            f"{100 * found['compliance_error_without_residual']:.3g} %, with their static residuals "
+            f"compliance at {len(found['contacts'])} skin nodes off by up to "
+            f"{100 * found['compliance_error_without_residual']:.3g} %; with their static residuals, "
             f"{100 * found['compliance_error']:.1g} %",
         )
     return table

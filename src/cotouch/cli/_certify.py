@@ -64,7 +64,9 @@ def _numbers(text: str, users: int) -> list[float]:
     if len(values) == 1:
         values *= users
     if len(values) != users:
-        raise ScenarioError(f'--damping is "{text}"; it must be one number [Ns/m] or one for each of the {users} users')
+        raise ScenarioError(
+            f'--damping is "{text}"; it must be one number [Ns/m], or one for each of the {users} users'
+        )
     return values
 
 
@@ -140,8 +142,8 @@ def _print(network: "Network", period: float, tables: _Tables, spare: _Spare) ->
         table.add_row("sum", *(number(float(column.sum())) for column in columns), end_section=True)
         verdicts = ("passive" if certificate.holds else "[red]not proved[/red]" for certificate in shown.values())
         table.add_row("verdict", *verdicts)
-        table.add_row("to spare", *(_percent(certificate.margin) for certificate in shown.values()))
-        table.add_row("to spare, exact test", *(_percent(spare[basis, method]) for method in shown))
+        table.add_row("margin", *(_percent(certificate.margin) for certificate in shown.values()))
+        table.add_row("margin, exact test", *(_percent(spare[basis, method]) for method in shown))
         console.print(table)
         for covers in dict.fromkeys(certificate.covers for certificate in shown.values()):
             methods = ", ".join(method for method, certificate in shown.items() if certificate.covers == covers)
@@ -151,5 +153,5 @@ def _print(network: "Network", period: float, tables: _Tables, spare: _Spare) ->
 
 def _percent(fraction: float) -> str:
     if not np.isfinite(fraction):
-        return "nothing"
+        return "unlimited"
     return f"{100.0 * fraction:.1f} %" if abs(fraction) > 5e-10 else "0 %"

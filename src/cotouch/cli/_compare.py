@@ -62,7 +62,7 @@ def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) ->
         console.print(f"  wrote {file}", highlight=False, soft_wrap=True)
 
 
-_DOING = {"tune": "Tuning the laws", "score": "Running tasks", "map": "Looking for danger"}
+_DOING = {"tune": "Tuning the laws", "score": "Running tasks", "map": "Searching for unsafe cases"}
 
 
 def _cell(cost: float, half: float) -> str:

@@ -10,7 +10,7 @@ from cotouch.errors import CotouchError
 if TYPE_CHECKING:
     from cotouch.members import Host
 
-_HELP = "expel NAME (for the rest of the session), release NAME (of one who is gone), who"
+_HELP = "expel NAME (for the rest of the session), release NAME (frees the name of a user who has left), who"
 _MOST = 4096
 
 
@@ -56,14 +56,14 @@ class Console:
                     return ""
                 case "expel" if name:
                     self._host.expel(name)
-                    return f"{name} was sent away, and does not come back under this key"
+                    return f"{name} was expelled and cannot come back with this key"
                 case "release" if name:
                     self._host.release(name)
                     return f'the name "{name}" is free'
                 case "who":
-                    return ", ".join(f"{e.slot + 1} {e.name}" for e in self._host.roster.members) or "nobody is here"
+                    return ", ".join(f"{e.slot + 1} {e.name}" for e in self._host.roster.members) or "nobody has joined"
                 case _:
-                    return f'"{line.strip()[:80]}" is no order; there are: {_HELP}'
+                    return f'"{line.strip()[:80]}" is not a command; commands are: {_HELP}'
         except CotouchError as error:
             return str(error)
 

@@ -21,12 +21,12 @@ _COLUMNS = (
     ("steps", ""),
     ("late", ""),
     ("longest", "ms"),
-    ("hand put in", "J"),
-    ("delays added", "J"),
+    ("by hand", "J"),
+    ("by delays", "J"),
     ("damped", "J"),
-    ("ledger", "off by"),
+    ("ledger", "error"),
 )
-_LOWERED = "Nothing was guaranteed while the damping was lowered"
+_LOWERED = "While the damping was lowered, nothing was guaranteed"
 _USERS = 5  # of the paper
 _LINE_EVERY = 5.0  # where nobody looks at a terminal [s]
 
@@ -65,7 +65,7 @@ def run(
 
     for name, given in (("--users", users), ("--body", body), ("--impair", impair or None)):
         if file is not None and given is not None:
-            raise SessionError(f"{name} is given, and {file} says that itself; leave one of them out")
+            raise SessionError(f"{name} is given, but {file} sets that itself; leave one of them out")
     body = body or ("point" if beside is None else "soft")
     told = [-float("inf")]
     quiet = headless or as_json
@@ -78,12 +78,12 @@ def run(
     if record is not None:
         folder(record)
     if not quiet:
-        progress.tell(f"{session.slots} users join, each a process of its own; kernels compile once")
+        progress.tell(f"starting {session.slots} users, each in its own process; the first run compiles kernels")
 
     def each(api: "DemoSessionApi", now: float) -> None:
         if not (draws or quiet or sys.stderr.isatty() or api.acted or all_move(api)):
             here = len(api.opened.host.watch.members)
-            progress.say(f"starting the members, {here} of {session.slots} are here")
+            progress.say(f"starting the users: {here} of {session.slots} have joined")
             return
         if not draws:
             progress.end()
@@ -139,7 +139,7 @@ def _line(api: "DemoSessionApi") -> None:
     members = api.opened.host.watch.members
     known = [seen.status for seen in members.values() if seen.status is not None]
     if known:
-        sys.stderr.write(f"cotouch: {time.strftime('%H:%M:%S')} {len(members)} here. {balance(known)}\n")
+        sys.stderr.write(f"cotouch: {time.strftime('%H:%M:%S')} {len(members)} joined. {balance(known)}\n")
 
 
 def _print(outcome: "DemoOutcome") -> None:
@@ -174,8 +174,8 @@ def _print(outcome: "DemoOutcome") -> None:
     console = Console()
     console.print(table)
     console.print(
-        f"\n{balance(known)} Copies that are linked end within {1e3 * outcome.apart:.2f} mm of each other; links were "
-        f"held back {_times(outcome.guarded)} after they had coupled.",
+        f"\n{balance(known)} Linked copies ended within {1e3 * outcome.apart:.2f} mm of each other; once coupled, "
+        f"links were {_guarded(outcome.guarded)}.",
         highlight=False,
     )
     console.print(felt_words(known), highlight=False, markup=False)
@@ -183,10 +183,10 @@ def _print(outcome: "DemoOutcome") -> None:
         for complaint in outcome.complaints:
             console.print(f"[red]{literal(complaint)}[/red]", highlight=False)
     elif outcome.lowered:
-        console.print(f"[yellow]{_LOWERED}; links added {outcome.linked:.4g} J in all.[/yellow]", highlight=False)
+        console.print(f"[yellow]{_LOWERED}; links added {outcome.linked:.4g} J in total.[/yellow]", highlight=False)
     else:
         console.print(f"[green]{verdict(known, left=outcome.left)}[/green]", highlight=False)
 
 
-def _times(count: int) -> str:
-    return {0: "never", 1: "once"}.get(count, f"{count} times")
+def _guarded(count: int) -> str:
+    return {0: "never guarded", 1: "guarded once"}.get(count, f"guarded {count} times")

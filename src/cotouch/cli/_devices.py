@@ -46,14 +46,14 @@ def show(*, as_json: bool) -> None:
 
     named = [[f":{variant}" for variant in row["variants"]] + [f"{name}=" for name in row["options"]] for row in rows]
     longest = max((len(name) for names in named for name in names), default=0)  # or a name would be cut
-    table = Table("device", "what it is", "force", Column("options", min_width=longest), "connected")
+    table = Table("device", "description", "force", Column("options", min_width=longest), "connected")
     for row, names in zip(rows, named, strict=True):
         force = f"{row['force']:g} N" if "force" in row else ""
-        table.add_row(row["name"], row["summary"], force, " ".join(names), ", ".join(row["present"]) or "not said")
+        table.add_row(row["name"], row["summary"], force, " ".join(names), ", ".join(row["present"]) or "unknown")
     console = Console()
     console.print(table)
     names = " ".join(f"{name}=" for name in COUPLING)
-    said = f"With join every device also takes what it is coupled by: {names} (docs/devices.md)"
+    said = f"With join, every device also takes these coupling options: {names} (docs/devices.md)"
     console.print(said, highlight=False, markup=False, soft_wrap=not console.is_terminal)
 
 
@@ -83,7 +83,7 @@ def check(text: str, *, allow_motion: bool, force: bool, as_json: bool) -> bool:
     failed = sum(not one.passed for one in found)
     if refused:
         sys.stdout.write(f"WARN  {priority_refused(refused)}\n")
-    verdict = "does what it must" if passed else f"fails {failed} of {len(found)} checks"
+    verdict = "passes all checks" if passed else f"fails {failed} of {len(found)} checks"
     sys.stdout.write(f"{text} {verdict}\n")
     return passed
 
@@ -108,8 +108,8 @@ def calibrate(text: str, *, allow_motion: bool, as_json: bool) -> None:
         print_json({"device": text, "calibrated": calibrated, "position": place})
         return
     where = ", ".join(f"{1e3 * value:.1f}" for value in place)
-    state = "is calibrated" if calibrated else "does not say that it is calibrated"
-    sys.stdout.write(f"{text} {state}; its tip is at ({where}) mm from the middle of its workspace\n")
+    state = "is calibrated" if calibrated else "does not report that it is calibrated"
+    sys.stdout.write(f"{text} {state}; its tip is at ({where}) mm from the centre of its workspace\n")
 
 
 def monitor(text: str, *, seconds: float | None, as_json: bool) -> None:

@@ -39,7 +39,7 @@ def feel(
         raise ScenarioError(f'--others is "{others}"; it must be "free" or "holding"')
     if figures is not None:
         beside(folder(figures), [_FIGURE], (path, *scenario.files()))
-    with working("Pushing with one tone after the other ...", quiet=as_json):
+    with working("Exciting the hand, one frequency at a time ...", quiet=as_json):
         found = impedance(scenario, user, others="free" if others == "free" else "holding", measured=measure)
     written = [] if figures is None else [impedance_figure(found, figures / _FIGURE)]
     columns = {str(name): found[name].values.tolist() for name in found.data_vars}
@@ -109,7 +109,7 @@ def sweep(path: Path, *, vary: Sequence[str], out: Path | None, dask: str | None
         if not equals or not option or not values:
             raise ScenarioError(f'--vary is "{text}"; it must be OPTION=VALUES, as in link.delay=0.01:0.1:10')
         if option in options:
-            raise ScenarioError(f"--vary names {option} twice; give all its values at once")
+            raise ScenarioError(f"--vary names {option} twice; give all its values in one --vary")
         options[option] = values_of(values)
     store = None if out is None else out / CELLS
     with counting("Compiling the kernels", {"run": "Running every combination"}, quiet=as_json) as progress:

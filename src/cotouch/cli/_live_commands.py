@@ -13,14 +13,14 @@ Invited = Annotated[
 ]
 OwnAddress = Annotated[
     str | None,
-    typer.Option(help="Numeric address of this machine; default: the one that leads to the host.", show_default=False),
+    typer.Option(help="Numeric address of this machine; default: the one that reaches the host.", show_default=False),
 ]
 _DEMO = 30.0  # [s]
 
 
 def host(
     session: Annotated[Path, typer.Argument(help="Session (TOML).", show_default=False)],
-    listen: Annotated[str, typer.Option(help="Numeric address at which others reach this machine.")] = "127.0.0.1",
+    listen: Annotated[str, typer.Option(help="Numeric address at which others can reach this machine.")] = "127.0.0.1",
     port: Annotated[int | None, typer.Option(help="TCP and UDP port; default: a free one.", show_default=False)] = None,
     seconds: Annotated[
         float | None, typer.Option("--duration", help="Duration [s]; default: until Ctrl-C.", show_default=False)
@@ -34,14 +34,14 @@ def host(
     law: Annotated[
         str | None,
         typer.Option(
-            help="Law of the links, instead of the session's: spring (the paper's), paid, wave, tank, tdpa or pspm.",
+            help="Link law, overriding the session's: spring (the paper's), paid, wave, tank, tdpa or pspm.",
             show_default=False,
         ),
     ] = None,
-    headless: Annotated[bool, typer.Option("--headless", help="Show no table.")] = False,
+    headless: Annotated[bool, typer.Option("--headless", help="Show no live table.")] = False,
     as_json: AsJson = False,
 ) -> None:
-    """Host a session: print its invitation and keep it open."""
+    """Host a session: print an invitation and keep the session open."""
     from cotouch.cli._session import host as run
 
     run(
@@ -64,8 +64,8 @@ def join(
     device: Annotated[
         str,
         typer.Option(
-            help="What moves the copy: scripted (what the session's file says for the slot), none, or a device, such "
-            "as simulated:touch; two hands: 'haply:id=1 + haply:id=2'. cotouch devices list shows them all."
+            help="What moves your copy: scripted (as the session file says), none, or a device such as "
+            "simulated:touch; for two hands: 'haply:id=1 + haply:id=2'. See cotouch devices list."
         ),
     ] = "scripted",
     seconds: Annotated[
@@ -73,7 +73,7 @@ def join(
         typer.Option("--duration", help="Duration [s]; default: until the session ends.", show_default=False),
     ] = None,
     listen: OwnAddress = None,
-    record: Annotated[Path | None, typer.Option(help="Record into this MCAP file.", show_default=False)] = None,
+    record: Annotated[Path | None, typer.Option(help="Record to this MCAP file.", show_default=False)] = None,
     headless: Annotated[bool, typer.Option("--headless", help="Show no table.")] = False,
     mailboxes: Annotated[Path | None, typer.Option(hidden=True)] = None,
     unsafe: Annotated[bool, typer.Option("--unsafe", hidden=True)] = False,
@@ -108,7 +108,7 @@ def measure(
     invitation: Invited,
     seconds: Annotated[float, typer.Option("--duration", help="Duration [s].", min=0.5)] = 10.0,
     out: Annotated[
-        Path | None, typer.Option(help="Write the network to this TOML file, for cotouch plan.", show_default=False)
+        Path | None, typer.Option(help="Write the network to this TOML file for cotouch plan.", show_default=False)
     ] = None,
     listen: OwnAddress = None,
     as_json: AsJson = False,
@@ -123,16 +123,16 @@ def demo(
     file: Annotated[
         Path | None,
         typer.Argument(
-            help="Session (TOML) with hands or tools to play instead, its users included.", show_default=False
+            help="Session (TOML) to play instead; it must define its users' hands or tools.", show_default=False
         ),
     ] = None,
     users: Annotated[
-        int | None, typer.Option(help="Number of users; by default the paper's five.", show_default=False)
+        int | None, typer.Option(help="Number of users; default: the paper's five.", show_default=False)
     ] = None,
     body: Annotated[
         str | None,
         typer.Option(
-            help="point (the paper's), block (in three dimensions) or soft (a cushion); by default soft with a page.",
+            help="point (the paper's), block (3D) or soft (a cushion); default: soft with a page, else point.",
             show_default=False,
         ),
     ] = None,
@@ -140,7 +140,7 @@ def demo(
         float | None,
         typer.Option(
             "--duration",
-            help="Duration [s] once all have joined; default: 30, with a page at a terminal until Ctrl-C.",
+            help="Duration [s] once all have joined; default: 30, or until Ctrl-C with a page in a terminal.",
             min=1.0,
             show_default=False,
         ),
@@ -155,12 +155,12 @@ def demo(
     law: Annotated[
         str | None,
         typer.Option(
-            help="Law of the links: spring (the paper's, with its damping), paid, wave, tank, tdpa or pspm; by default "
-            "paid, with a link between any two.",
+            help="Link law: spring (the paper's, with its damping), paid, wave, tank, tdpa or pspm; default: "
+            "paid, with links between all users.",
             show_default=False,
         ),
     ] = None,
-    record: Annotated[Path | None, typer.Option(help="Record every user into this folder.", show_default=False)] = None,
+    record: Annotated[Path | None, typer.Option(help="Record every user to this folder.", show_default=False)] = None,
     page: Annotated[
         bool | None,
         typer.Option(
@@ -174,7 +174,7 @@ def demo(
     headless: Annotated[bool, typer.Option("--headless", help="Show no table.")] = False,
     as_json: AsJson = False,
 ) -> None:
-    """Play a session on this machine: the paper's five users, its links and delays, a process for each."""
+    """Run a session on this machine: the paper's five users, links and delays, with a process for each user."""
     from cotouch.cli._demo import run
     from cotouch.cli._page import page as paged
     from cotouch.cli._page import watched
@@ -206,7 +206,7 @@ def replay(
     stop: Annotated[float | None, typer.Option("--to", help="End time [s].", show_default=False)] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Play one user's recording: rate, force, ledger and links as they were; with --json, a summary only."""
+    """Replay one user's recording: rate, force, ledger and links; with --json, only a summary."""
     from cotouch.cli._replay import run
 
     run(file, speed=speed, start=start, stop=stop, as_json=as_json)
@@ -216,12 +216,16 @@ def audit(
     files: Annotated[list[Path], typer.Argument(help="Recordings of one session (MCAP).", show_default=False)],
     tolerance: Annotated[
         float | None,
-        typer.Option(help="Fraction of the energy in play that may be rounding (1e-9).", show_default=False, min=0.0),
+        typer.Option(
+            help="Error to allow for rounding, as a fraction of the energy in play (default 1e-9).",
+            show_default=False,
+            min=0.0,
+        ),
     ] = None,
-    figures: Annotated[Path | None, typer.Option(help="Draw a figure into this folder.", show_default=False)] = None,
+    figures: Annotated[Path | None, typer.Option(help="Save a figure to this folder.", show_default=False)] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Recompute everyone's energy balance from a session's recordings; exit code 1 if it does not close."""
+    """Recompute everyone's energy balance from a session's recordings; exit with code 1 if it does not close."""
     from cotouch.cli._audit import run
 
     if not run(files, figures=figures, tolerance=tolerance, as_json=as_json):
@@ -233,7 +237,7 @@ def export(
     out: Annotated[Path, typer.Option(help="The NetCDF file to write.", show_default=False)],
     as_json: AsJson = False,
 ) -> None:
-    """Write the recordings of a session into one NetCDF file, with the names of a simulated run."""
+    """Write a session's recordings to one NetCDF file, with the same names as a simulated run."""
     from cotouch.cli._export import run
 
     run(files, out=out, as_json=as_json)

@@ -28,7 +28,7 @@ def run(invitation: str, *, seconds: float, listen: str | None, out: Path | None
     if out is not None:
         prepare(out, (".toml",))
     decoded = Invitation.decode(typed() if invitation == "-" else invitation)
-    with stop_signals() as stopped, working(f"watching for {seconds:g} s ...", quiet=as_json):
+    with stop_signals() as stopped, working(f"measuring for {seconds:g} s ...", quiet=as_json):
         found = measure(decoded, seconds=seconds, listen=listen, stopped=stopped)
     if out is not None:
         write(out, found.toml().encode(), "network")
@@ -61,7 +61,7 @@ def _print(found: "Measured", out: Path | None) -> None:
     linked = {*network.links, *((b, a) for a, b in network.links)}
     table = Table(
         box=SIMPLE_HEAD,
-        title="One way, ms",
+        title="One-way delay, ms",
         title_justify="left",
         title_style="bold",
     )
@@ -77,11 +77,11 @@ def _print(found: "Measured", out: Path | None) -> None:
         table.add_row(literal(name), *cells)
     console = Console()
     console.print(table)
-    notes = ["Half of the quickest way there and back; * linked now."]
+    notes = ["Half of the shortest round trip; * marks current links."]
     if missing:
-        notes.append("? not measured: they reach each other by the relay only.")
+        notes.append("? marks pairs not measured: they reach each other only through the relay.")
     if found.emulated:
-        notes.append("The session emulates a network; its delays are in these.")
+        notes.append("The session emulates a network, whose delays are included.")
     if out is not None:
         notes.append(f"Written to {out}; plan with: cotouch plan {out} --links {max(1, len(network.links))}")
     console.print("\n".join(map(printable, notes)), highlight=False, markup=False, soft_wrap=True)

@@ -43,7 +43,7 @@ def number(value: float | None, unit: str = "", digits: int = 4) -> str:
         digits: significant ones.
     """
     if value is None:
-        return "not settled"
+        return "does not settle"
     return f"{value + 0.0:.{digits}g}" + (f" {unit}" if unit else "")
 
 

@@ -63,8 +63,8 @@ def _served(api: "SessionApi", at: "PageAddress", tell: Callable[[str], None]) -
         tell(f"the page is at {server.url}")
         if not server.local:
             tell(
-                f"others can reach {at.listen} and see this session; whoever has the address with its token, "
-                "which travels there unencrypted, can take part"
+                f"others can reach {at.listen} and watch this session; anyone with the address and its token, "
+                "which is sent unencrypted, can take part"
             )
         if desktop():
             threading.Thread(target=_open, args=(server.ticket(),), daemon=True).start()

@@ -128,7 +128,7 @@ def _objective(network: "Network", time_unit: float, rounding: str) -> str:
         consensus_lags(network.with_links(None), time_unit=time_unit, convention="matrix", rounding="exact")
     except NetworkError:
         sys.stderr.write(
-            f"cotouch: the delays are no multiples of {time_unit:g} s, so links are chosen for the fastest decay "
+            f"cotouch: the delays are not multiples of {time_unit:g} s, so links are chosen for the fastest decay "
             "(--objective decay)\n"
         )
         return "decay"
@@ -139,7 +139,7 @@ def _first(network: "Network", counts: Sequence[int], options: dict[str, Any]) -
     """Something to begin with while kernels compile, on standard error."""
     from cotouch.planning import first_choice
 
-    print("Compiling, once on this machine: about two minutes.", file=sys.stderr)  # noqa: T201
+    print("Compiling, which takes about two minutes, once on this machine.", file=sys.stderr)  # noqa: T201
     kept = ("top", "method", "seconds", "seed", "jobs", "dask")
     asked = {name: option for name, option in options.items() if name not in kept}
     found = first_choice(network, links=counts[0], seed=options.get("seed", 0), **asked)
@@ -149,7 +149,8 @@ def _first(network: "Network", counts: Sequence[int], options: dict[str, Any]) -
     value = "" if found.value is None else f", about {number(found.value)} {unit}".rstrip()
     pairs = said_links(network.users, found.links)
     print(  # noqa: T201
-        f"Meanwhile the best of {found.tried} with {counts[0]} links, not certified{value}: {pairs}", file=sys.stderr
+        f"Meanwhile, the best of {found.tried} choices of {counts[0]} links, not certified{value}: {pairs}",
+        file=sys.stderr,
     )
 
 
@@ -159,16 +160,18 @@ def _network(path: Path | None, delays: Sequence[Path], pick: str | None, spring
 
     if delays:
         if path is not None:
-            raise ScenarioError(f"{path} and --delays each name users and delays; give one of them")
+            raise ScenarioError(f"{path} and --delays both give users and delays; use only one of them")
         names = [] if pick is None else _names(pick)
         return Network.from_delays(delays, pick=names, spring=spring, quantile=quantile)
     if path is None:
-        raise ScenarioError("no network is given; name a TOML file, or a table of round trips by --delays")
+        raise ScenarioError("no network is given; name a TOML file, or give a table of round trips with --delays")
     if pick is not None:
-        raise ScenarioError("--pick takes users of a table of round trips; name one by --delays")
+        raise ScenarioError("--pick selects users of a table of round trips; give one with --delays")
     for name, value, usual in (("--spring", spring, 50.0), ("--quantile", quantile, 1.0)):
         if value != usual:
-            raise ScenarioError(f"{name} is {value:g}, but a table of round trips it would count for is not given")
+            raise ScenarioError(
+                f"{name} is {value:g}, but it applies only to a table of round trips; give one with --delays"
+            )
     return Network.read(path)
 
 
@@ -187,7 +190,7 @@ def _counts(text: str, size: int, possible: int) -> list[int]:
         if low <= high:
             return list(range(low, high + 1))
         raise ScenarioError(
-            f'--links is "{said}"; to connect {size} users with {possible} possible links it takes {size - 1} to '
+            f'--links is "{said}"; connecting {size} users with {possible} possible links takes {size - 1} to '
             f"{possible}"
         )
     raise ScenarioError(f'--links is "{said}"; it must be a number such as 6, a range such as 4-8, or "at most 8"')
@@ -242,7 +245,7 @@ def _pairs(network: "Network", option: str, texts: Sequence[str]) -> list[tuple[
                 continue
             pairs = _readings(network, said)
             if len(pairs) != 1:
-                many = "can be read in several ways" if pairs else "is no link"
+                many = "can be read in several ways" if pairs else "is not a link"
                 raise ScenarioError(
                     f'{option} is "{said}", which {many}; a link is two users by number or name, such as 1-2'
                 )
@@ -277,10 +280,10 @@ def _progress(*, quiet: bool) -> Generator[Callable[[int, int, float], None] | N
         return
     from rich.console import Console
 
-    with Console(stderr=True).status("Looking at links ...") as status:
+    with Console(stderr=True).status("Searching ...") as status:
 
         def show(done: int, total: int, best: float) -> None:
             fraction = f"{done} of {total}" if total else "proving"
-            status.update(f"Looking at links: {fraction}, best {best:.6g} (Ctrl-C takes it)")
+            status.update(f"Searching: {fraction}, best {best:.6g} (Ctrl-C accepts it)")
 
         yield show

@@ -19,14 +19,14 @@ LABELS = {
     "decay": ("Decay / (1/s)", "Largest damping / (Ns/m)"),
     "damping": ("Largest damping / (Ns/m)", "Drag / (Ns/m)"),
     "drag": ("Drag / (Ns/m)", "Largest damping / (Ns/m)"),
-    "feel": ("Felt beyond the object / (Ns/m)", "Largest damping / (Ns/m)"),
+    "feel": ("Felt in addition to the object / (Ns/m)", "Largest damping / (Ns/m)"),
 }
 _TITLES = {
     "consensus": "second largest |eigenvalue| of the consensus",
     "decay": "rightmost root of the closed loop",
     "damping": "largest damping",
     "drag": "drag of all users together",
-    "feel": "what a hand feels beyond the object",
+    "feel": "what a hand feels in addition to the object",
 }
 
 
@@ -62,7 +62,11 @@ def print_plan(found: "Plan") -> None:
         )
     console.print(table)
     if long:
-        console.print(f"Links of the best (of all: --json): {texts[found.best.links]}", highlight=False, markup=False)
+        console.print(
+            f"Links of the best choice (for the others, use --json): {texts[found.best.links]}",
+            highlight=False,
+            markup=False,
+        )
     console.print(_verdict(found), highlight=False)
     for note in found.notes:
         console.print(note, highlight=False, markup=False)
@@ -72,22 +76,22 @@ def _verdict(found: "Plan") -> str:
     graphs, choices = _many(found.graphs, "graph"), _many(found.choices, "choice")
     connected = graphs.replace("graph", "connected graph")
     lines = {
-        "enumerate": f"{connected} among {found.looked_at} of {choices} looked at",
-        "bound": f"{choices} covered by bounds, {graphs} worked out",
-        "local": f"{graphs} of {choices} looked at, seed {found.seed}",
+        "enumerate": f"{connected} among the {found.looked_at} of {choices} examined",
+        "bound": f"{choices} covered by bounds, {graphs} evaluated",
+        "local": f"{graphs} of {choices} evaluated, seed {found.seed}",
     }
     if found.status != "proved" and found.method == "bound":
-        lines["bound"] = f"{graphs} of {choices} worked out, seed {found.seed}"
+        lines["bound"] = f"{graphs} of {choices} evaluated, seed {found.seed}"
     text = f"{found.status.capitalize()} for {len(found.users)} users: {lines[found.method]}, {found.seconds:.2g} s."
     text += _gap(found)
     if found.worst_status != "proved":
-        text += " The worst shown is the worst worked out, not proved."
+        text += " The worst shown is the worst evaluated, not proved worst."
     if found.periodic:
         mixes = "is periodic and never mixes" if found.periodic == 1 else "are periodic and never mix"
         text += f" {_many(found.periodic, 'graph')} {mixes}."
     if found.unsure:
         left = "is" if found.unsure == 1 else "are"
-        text += f" {_many(found.unsure, 'graph')} could not be told for certain and {left} left out."
+        text += f" {_many(found.unsure, 'graph')} could not be decided numerically and {left} left out."
     return text
 
 
@@ -102,7 +106,7 @@ def _gap(found: "Plan") -> str:
     if found.status == "proved":
         return ""
     if found.bound is None:
-        return f" How much better another choice could be is not known: {found.bound_by}."
+        return f" How much better another choice could be is unknown: {found.bound_by}."
     unit = f" {UNITS[found.objective]}" if UNITS[found.objective] else ""
     return (
         f" No choice is better than {number(found.bound)}{unit}, by a relaxation that {found.bound_by}; "
@@ -133,7 +137,8 @@ def print_counts(every: "LinkCounts") -> None:
     console.print(table)
     best, knee = len(every.best.best.links), len(every.knee.best.links)
     console.print(
-        f"Best with {best} links; the knee is at {knee}: the fewest that come within 10 % of it.", highlight=False
+        f"Best with {best} links; the knee is at {knee}: the fewest links within 10 % of the best value.",
+        highlight=False,
     )
 
 
@@ -144,16 +149,16 @@ def print_tuned(tuned: dict[str, Any]) -> None:
     springs = ", ".join(
         f"{said_link(*link)} {number(k)}" for link, k in zip(tuned["links"], tuned["spring"], strict=True)
     )
-    whose = "" if tuned["rank"] == 1 else " of other links, which are better once tuned,"
+    whose = "" if tuned["rank"] == 1 else " of another choice of links, which is better once tuned,"
     console.print(
-        f"Springs{whose} tuned with no damping above {number(tuned['damping_limit'], 'Ns/m')}: the slowest mode goes "
-        f"from {number(tuned['before'])} to {number(tuned['after'])} 1/s"
+        f"Springs{whose} tuned with no user's damping above {number(tuned['damping_limit'], 'Ns/m')}: the slowest "
+        f"mode goes from {number(tuned['before'])} to {number(tuned['after'])} 1/s"
         + ("" if tuned["simulated"] is None else f"; a simulated free decay shows {number(tuned['simulated'])} 1/s")
         + f". Springs in N/m: {springs}."
         + (
             ""
             if tuned["start_factor"] == 1.0
-            else f" The start broke the limit and was scaled by {number(tuned['start_factor'])} first."
+            else f" The initial springs broke the limit and were first scaled by {number(tuned['start_factor'])}."
         ),
         highlight=False,
         markup=False,

@@ -42,13 +42,12 @@ def run(out: Path, *, as_json: bool) -> None:
     console = Console()
     for table in _tables(result.numbers):
         console.print(table)
-    verdict = (
-        "everything came out as it should" if result.confirmed else "[red]not everything came out as it should[/red]"
-    )
+    verdict = "all results are as expected" if result.confirmed else "[red]not all results are as expected[/red]"
     console.print(
-        f"In {result.seconds:.0f} s; {verdict}. The ledger misses {result.energy_residual:.0e} of the energy in play."
+        f"In {result.seconds:.0f} s; {verdict}. The ledger is off by {result.energy_residual:.0e} of the energy in "
+        f"play."
     )
-    console.print(f"The report: {result.report.resolve()}", highlight=False, soft_wrap=True)
+    console.print(f"Report: {result.report.resolve()}", highlight=False, soft_wrap=True)
     if _desktop():
         webbrowser.open(result.report.resolve().as_uri())
 
@@ -69,18 +68,18 @@ def _tables(numbers: dict[str, Any]) -> Iterator["Table"]:
 
     found = numbers["topologies"]
     choice = table(
-        f"Which links: {found['connected']} connected of {found['choices']} choices",
+        f"Choice of links: {found['connected']} of {found['choices']} choices are connected",
         "objective",
-        "links of the best",
+        "best links",
         "value",
-        "links of the worst",
+        "worst links",
         "value",
     )
     titles = {"equation": "equation", "matrix": "matrix", "decay": "decay, 1/s"}
     for name, title in titles.items():
         best, worst = found["objectives"][name]["best"], found["objectives"][name]["worst"]
         periodic = found["objectives"][name]["never_mixing"]
-        links = f"{periodic} tie, never mixing" if periodic else worst["links"]
+        links = f"{periodic} tied, none mixes" if periodic else worst["links"]
         choice.add_row(title, best["links"], f"{best['value']:.6f}", links, f"{worst['value']:.6f}")
     yield choice
 
@@ -106,7 +105,7 @@ def _tables(numbers: dict[str, Any]) -> Iterator["Table"]:
         )
     yield runs
 
-    claims = table("Theorem 1 and what follows from it", "where", "claim", "measured", "must be", "holds")
+    claims = table("Theorem 1 and its consequences", "where", "claim", "measured", "must be", "holds")
     for claim in numbers["theorem"]["claims"]:
         unit = f" {claim['unit']}" if claim["unit"] else ""
         measured = f"{claim['measured']:.1e}{unit}"
@@ -135,7 +134,7 @@ def _tables(numbers: dict[str, Any]) -> Iterator["Table"]:
     yield whole
 
     ways = table(
-        "The same jittery, lossy channel, one word changed",
+        "Same jittery, lossy channel, different mode",
         "mode",
         "largest B,\nNs/m",
         "age, s\nmedian",

@@ -66,7 +66,7 @@ def host(
         else:
             sys.stdout.write(f"{line}\n")
             sys.stdout.flush()
-            sys.stderr.write("join with: cotouch join -, then paste the line above; whoever has it can take part\n")
+            sys.stderr.write("to join, run cotouch join - and paste the line above; anyone who has it can take part\n")
             sys.stderr.flush()
         title = session.scenario.title or file.stem
         with shown(lambda: opened.host.watch, title=title, invitation=line, quiet=headless or as_json) as redraw:
@@ -78,7 +78,7 @@ def host(
                 console.service(time.monotonic())
                 if not ready and opened.host.admission.fingerprint is not None:
                     ready = True
-                    tell(f"ready, links by law {session.law}; nobody is here yet")
+                    tell(f"ready, link law {session.law}; nobody has joined yet")
                 redraw()
                 time.sleep(_POLL)
         opened.host.end()
@@ -146,7 +146,9 @@ def join(
     )
     if page:
         if as_json:
-            raise SessionError("--page and --json are given; with a page a process of its own takes part, so drop one")
+            raise SessionError(
+                "--page and --json cannot be combined, because with a page a separate process takes part; drop one"
+            )
         with paged(wanted=True, port=port, listen=page_listen, tell=say) as beside:
             assert beside is not None
             staged(decoded, beside, part, quiet=headless)
@@ -193,11 +195,11 @@ def sentence(taken: "PartOutcome") -> str:
     status = taken.status
     why = "the host ended the session; " if taken.why == "ended" else ""
     if status is None or not status.steps:
-        return f"{why}{taken.name} did not come to take part"
+        return f"{why}{taken.name} did not get to take part"
     return (
-        f"{why}{taken.name} took {status.steps} steps in {status.time:.1f} s, {status.missed} of them late; the ledger "
-        f"balances to {status.residual:.1e} of the energy in play; links by law {status.law}"
-        + ("" if taken.recorded is None else f"; {taken.recorded} steps are recorded")
+        f"{why}{taken.name} took {status.steps} steps in {status.time:.1f} s, {status.missed} late; the ledger "
+        f"balances to {status.residual:.1e} of the energy in play; link law {status.law}"
+        + ("" if taken.recorded is None else f"; {taken.recorded} steps were recorded")
     )
 
 
@@ -346,12 +348,12 @@ def _known_device(text: str) -> None:
 
     names = [choice.name for choice in device_choices(text) if "/" not in choice.name]
     if not set(names) <= set(device_names()):
-        known = ", ".join(["scripted (what the session's file says)", "none", *device_names()])
+        known = ", ".join(["scripted (as the session file says)", "none", *device_names()])
         raise SessionError(f'--device is "{text}"; it must be one of {known}')
 
 
 def typed() -> str:
     """The invitation from standard input; who sits there is told what is waited for."""
     if sys.stdin.isatty():
-        say("paste the invitation, and press Enter:")
+        say("paste the invitation and press Enter:")
     return sys.stdin.readline()

@@ -48,7 +48,7 @@ def run(
         if scenario.record.frames is None:
             scenario = scenario.replace(record__frames=interruptible(frame_rate)(scenario))
     wait = "a minute and a half" if scenario.tools else "half a minute"
-    with working(f"Simulating; the first run compiles, for about {wait}", quiet=as_json):
+    with working(f"Simulating; the first run compiles for about {wait}", quiet=as_json):
         result = simulate_scenario(scenario)
     written: list[Path] = []
     if out is not None:
@@ -102,8 +102,8 @@ def _closure(figures: dict[str, Any], grid: "Table") -> None:
     """Balanced energy proves no forces; by how much velocities were changed for it does."""
     if "closure" in figures:
         largest, alarms = figures["closure"]["largest_factor"], figures["closure"]["alarms"]
-        told = f"; [yellow]{alarms} steps by more than 1 %: take shorter ones[/yellow]" if alarms else ""
-        grid.add_row("  closure", f"changed velocities by {largest:.1e} at most{told}")
+        told = f"; [yellow]{alarms} steps by more than 1 %: use shorter steps[/yellow]" if alarms else ""
+        grid.add_row("  closure", f"changed velocities by at most {largest:.1e}{told}")
 
 
 def _users(console: "Console", names: tuple[str, ...], figures: dict[str, Any]) -> None:
@@ -111,7 +111,7 @@ def _users(console: "Console", names: tuple[str, ...], figures: dict[str, Any]) 
     columns: list[tuple[str, list[Any]]] = [
         ("damping B\nNs/m", figures["local_damping"]),
         (f"x at {held['time_s']:g} s\nm", held["position"]),
-        ("f there\nN", held["force"]),
+        ("f then\nN", held["force"]),
         ("x at the end\nm", figures["final"]["position"]),
     ]
     told = [(heading, [_short(value) for value in values]) for heading, values in columns]
@@ -123,7 +123,7 @@ def _rigid_tools(console: "Console", names: tuple[str, ...], tools: list[dict[st
     for tool in tools:
         felt = f"{number(tool['peak_force_n'], digits=3)} N and {number(tool['peak_torque_nm'], digits=3)} Nm"
         name = literal(names[int(tool["user"]) - 1])
-        console.print(f"  {name} holds a tool ({tool['kind']}) and feels {felt} at most", highlight=False)
+        console.print(f"  {name} holds a tool ({tool['kind']}) and feels at most {felt}", highlight=False)
 
 
 def _tools(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":
@@ -135,7 +135,7 @@ def _tools(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":
     table.add_column("user")
     table.add_column("damping B\nNs/m", justify="right")
     table.add_column("tool", no_wrap=True)
-    for heading in ("felt N\npeak", "\nmean", "contacts\nat most", "\nfor s"):
+    for heading in ("felt N\npeak", "\nmean", "contacts\nmost", "\ntime s"):
         table.add_column(heading, justify="right")
     for i, name in enumerate(names):
         start = [literal(name), _short(figures["local_damping"][i])]
@@ -165,12 +165,13 @@ def _paces(figures: dict[str, Any]) -> str | None:
     i = int(slow[np.argmin(taken[slow] / asked[slow])])
     text = (
         f"user {i + 1} takes {number(float(taken[i]), digits=4)} steps a second instead of "
-        f"{number(float(asked[i]), digits=4)}, and each lasts so much longer: it waits for the others"
+        f"{number(float(asked[i]), digits=4)}, because it waits for the others"
     )
     if slow.size > 1:
-        text += f"; so do{'es' * (slow.size == 2)} {slow.size - 1} more"
+        text += f", as do{'es' * (slow.size == 2)} {slow.size - 1} more user{'s' * (slow.size > 2)}"
+    text += "; steps are that much longer"
     behind = float(np.max(figures["behind_s"]))
-    return text + (f". What copies made up for was up to {number(behind, 's', digits=3)}" if behind > 0.0 else "")
+    return text + (f". Copies were up to {number(behind, 's', digits=3)} behind and caught up" if behind > 0.0 else "")
 
 
 def _coupling(tools: list[dict[str, Any]]) -> str | None:
@@ -184,14 +185,14 @@ def _coupling(tools: list[dict[str, Any]]) -> str | None:
     excess, bound, _ = max(coupled, key=lambda entry: entry[0] - entry[1])
     verdict = f"[red]{bad} of {len(coupled)} not passive[/red]" if bad else "passive"
     given, most = number(excess, "J", digits=3), number(bound, "J", digits=3)
-    return f"{verdict}: gave at most {given} more than it got, bound {most}"
+    return f"{verdict}: gave at most {given} more than it received; bound {most}"
 
 
 def _hot(tools: list[dict[str, Any]]) -> list[str]:
     """Devices that could not do for long what they did in the run."""
     return [
-        f"of user {tool['user']}'s {tool['device']} held {number(tool['rms_force_n'], 'N', digits=3)} in the mean "
-        f"square, more than the {number(tool['continuous_force_n'], 'N', digits=3)} that they can do all the time"
+        f"user {tool['user']}'s {tool['device']} exerted {number(tool['rms_force_n'], 'N', digits=3)} rms, more than "
+        f"the {number(tool['continuous_force_n'], 'N', digits=3)} that its motors can sustain"
         for tool in tools
         if tool.get("continuous_force_n") is not None and tool["rms_force_n"] > tool["continuous_force_n"]
     ]
@@ -200,12 +201,11 @@ def _hot(tools: list[dict[str, Any]]) -> list[str]:
 def _law(judged: dict[str, Any], rounding: float) -> str:
     """What the links made, and whether that is what their law promises."""
     made, seed = (value if value > rounding else 0.0 for value in (judged["made_j"], judged["seed_j"]))
-    text = f"{judged['law']}: made {number(made, 'J', digits=3)} of its own"
+    text = f"{judged['law']}: created {number(made, 'J', digits=3)}"
     if judged["promised"] and not judged["kept"]:
-        return f"[red]{text}, but declares that it makes at most {number(seed, 'J', digits=3)}[/red]"
-    return (
-        f"{text}, {'at most' if judged['promised'] else 'promises nothing; its seed is'} {number(seed, 'J', digits=3)}"
-    )
+        return f"[red]{text}, but guarantees at most {number(seed, 'J', digits=3)}[/red]"
+    promise = "at most" if judged["promised"] else "guarantees nothing; its initial energy is"
+    return f"{text}, {promise} {number(seed, 'J', digits=3)}"
 
 
 def _short(value: Any) -> str:
@@ -235,7 +235,7 @@ def _ledger(figures: dict[str, Any]) -> "Table":
     if paces is not None:
         grid.add_row("  pace", paces)
     if not figures["finished"]:
-        grid.add_row("  [red]diverged[/red]", "the motion left the range of floating point; the run stops there")
+        grid.add_row("  [red]diverged[/red]", "the motion exceeded the floating-point range; the run stops there")
     grid.add_row(
         "  settling", f"position {number(settling['position'], 's')}, force {number(settling['force'], 's')} (2 %)"
     )
@@ -265,15 +265,15 @@ def _ledger(figures: dict[str, Any]) -> "Table":
         grid.add_row("  devices", coupling)
         for told in _hot(figures["tools"]):
             grid.add_row("  [yellow]motors[/yellow]", told)
-        grid.add_row("  their residual", f"{figures['device_residual']:.1e} of the energy in play")
+        grid.add_row("  device residual", f"{figures['device_residual']:.1e} of the energy in play")
     ages = figures["age_s"]
     grid.add_row("  age of samples", f"{number(ages['mean'], 's')} mean, {number(ages['max'], 's')} max")
     if "codec" in figures:
         said = figures["codec"]
         grid.add_row(
             "  codec",
-            f"{number(said['full_hz'], digits=3)} samples a second in full to each neighbour, "
-            f"{number(said['unchanged_hz'], digits=3)} in one byte, {number(said['bytes_hz'], digits=3)} B/s",
+            f"{number(said['full_hz'], digits=3)} full samples/s to each neighbour, "
+            f"{number(said['unchanged_hz'], digits=3)} one-byte samples/s, {number(said['bytes_hz'], digits=3)} B/s",
         )
     if figures["underruns"]:
         grid.add_row("  [yellow]underruns[/yellow]", f"{figures['underruns']}: no certificate covers them")

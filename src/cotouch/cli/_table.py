@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 _MARKS = {
     "coupled": ("●", "green", "coupled"),
     "ready": ("◐", "yellow", "about to couple"),
-    "guarded": ("○", "red", "held back until it is safe"),
-    "waiting": ("·", "dim", "nothing is heard"),
+    "guarded": ("○", "red", "guarded: held back until safe"),
+    "waiting": ("·", "dim", "no samples arrive"),
     "keys": ("·", "dim", "connecting"),
 }
 # Heading, unit, whether it is text.
@@ -28,8 +28,8 @@ _COLUMNS = (
     ("late", "", False),
     ("apart", "mm", False),
     ("hand", "N", False),
-    ("ledger", "off by", False),
-    ("damping", "spare", False),
+    ("ledger", "error", False),
+    ("damping", "margin", False),
 )
 _EVENTS = 5
 _RECENT = 20.0  # [s]
@@ -61,7 +61,7 @@ def view(
         table.add_row(*_row(watch.members[slot], now))
     if not watch.members:
         how = f"; join with\n\n  cotouch join {invitation}\n" if invitation else ""
-        return Group(Text(f"{title} · {now - started:.0f} s", style="bold"), Text(f"nobody is here yet{how}"))
+        return Group(Text(f"{title} · {now - started:.0f} s", style="bold"), Text(f"nobody has joined yet{how}"))
     known = [seen.status for seen in watch.members.values() if seen.status is not None]
     parts: list[RenderableType] = [table, Text(), _legend(known)]
     parts.append(Text(f"{balance(known)} {verdict(known, left=watch.left)}"))
@@ -87,11 +87,11 @@ def balance(known: "Sequence[Status]") -> str:
     supplied, linked, shared, lost, stored, start = (sum(getattr(status, name) for status in known) for name in names)
     gave = [f"Hands {'put in' if supplied >= 0.0 else 'took out'} {abs(supplied):.4f} J"]
     if start > _ROUND_OFF:
-        gave.append(f"{start:.4f} J were there")
+        gave.append(f"{start:.4f} J was there at the start")
     gave.append(f"delays added {linked:.4f} J" if linked >= 0.0 else f"links took {-linked:.4f} J")
     if abs(shared) > _ROUND_OFF:
-        gave.append(f"sharing the object anew {'added' if shared > 0.0 else 'took'} {abs(shared):.4f} J")
-    return f"{', '.join(gave)}, damping took {lost:.4f} J; {stored:.4f} J are in the copies."
+        gave.append(f"members joining and leaving {'added' if shared > 0.0 else 'took'} {abs(shared):.4f} J")
+    return f"{', '.join(gave)}, damping took {lost:.4f} J; {stored:.4f} J is in the copies."
 
 
 def verdict(known: "Sequence[Status]", *, left: bool) -> str:
@@ -103,10 +103,10 @@ def verdict(known: "Sequence[Status]", *, left: bool) -> str:
     """
     margin = sum(status.supplied + status.initial + status.initial_energies for status in known)
     if margin >= -_ROUND_OFF:
-        return "Passive: nobody got out what nobody had put in."
+        return "Passive: nobody took out energy that nobody had put in."
     if left:
-        return "What came out cannot be set against what was put in: who left took a part of the ledger along."
-    return f"NOT PASSIVE: {-margin:.3g} J came out that nobody put in."
+        return "Passivity cannot be judged: a user who left took part of the ledger along."
+    return f"NOT PASSIVE: {-margin:.3g} J came out that nobody had put in."
 
 
 def felt_words(known: "Sequence[Status]") -> str:
@@ -117,11 +117,11 @@ def felt_words(known: "Sequence[Status]") -> str:
     found = felt(known)
     if found is None:
         return ""
-    said = [] if found.on_the_way is None else [f"{1e3 * found.on_the_way:.3g} mJ on the way"]
+    said = [] if found.on_the_way is None else [f"{1e3 * found.on_the_way:.3g} mJ on its way"]
     values = (("measured", found.measured), ("predicted", found.predicted))
     drags = [f"{value:.2f} Ns/m {name}" for name, value in values if value is not None]
-    said.append(f"felt drag {' and '.join(drags)}" if drags else "felt drag not known until the object moves")
-    return f"Law {found.law}: {'; '.join(said)} (people notice {NOTICED_DRAG:.1f})."
+    said.append(f"felt drag {' and '.join(drags)}" if drags else "felt drag unknown until the object moves")
+    return f"Law {found.law}: {'; '.join(said)} (people notice {NOTICED_DRAG:.1f} Ns/m)."
 
 
 def traffic_words(known: "Sequence[Status]") -> str:
@@ -147,16 +147,16 @@ def _legend(known: "Sequence[Status]") -> "Text":
             told.add(meaning)
             legend.append(mark, style=colour).append(f" {meaning}   ", style="dim")
     if any(link.path_state == "relayed" for status in known for link in status.links):
-        legend.append("~ by the relay   ", style="dim")
+        legend.append("~ through the relay   ", style="dim")
     for words in (felt_words(known), traffic_words(known)):
         if words:
             legend.append(f"\n{words}")
     for status in known:
         if status.closure_alarms:
             worst = f"{100.0 * status.closure_factor:.2g} %"
-            off = f"forces and energy disagree at {status.closure_alarms:,} of {status.steps:,} steps, by up to {worst}"
+            off = f"forces and energy disagree in {status.closure_alarms:,} of {status.steps:,} steps, by up to {worst}"
             legend.append(f"\nuser {status.slot + 1}: {off}; shorter steps help", style="yellow")
-    legend.append("\nages: how old the samples of both ends are; budget: what the damping covers", style="dim")
+    legend.append("\nages: sum of the sample ages at both ends; budget: ages that the damping covers", style="dim")
     return legend
 
 

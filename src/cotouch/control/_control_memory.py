@@ -72,7 +72,7 @@ class MemoryControlNetwork:
             SessionError: the identity is taken.
         """
         if identity.public in self._members:
-            raise SessionError("a member of this identity is there already; every member needs its own")
+            raise SessionError("a member with this identity has already joined; every member needs its own")
         self._joined += 1
         # Any rising number does for the unix time: a member that comes back is above all it said before.
         member = MemoryControl(self, identity, started=self._joined * 1_000_000_000, seed=(self._seed, self._joined))

@@ -72,7 +72,7 @@ class Files:
             SessionError: it is too long.
         """
         if len(content) > MOST_FILE:
-            raise SessionError(f"a file has {len(content)} bytes; at most {MOST_FILE} are carried")
+            raise SessionError(f"a file has {len(content)} bytes; at most {MOST_FILE} can be sent")
         digest = hashlib.sha256(content).digest()
         self._have[digest] = content
         return digest
@@ -84,11 +84,11 @@ class Files:
             SessionError: this is no SHA-256, or too many are wanted already.
         """
         if len(digest) != 32:
-            raise SessionError(f"a file's hash has {len(digest)} bytes; SHA-256 has 32")
+            raise SessionError(f"a file's hash has {len(digest)} bytes; it must have 32")
         held = self._have.get(digest)
         if held is None and digest not in self._wanted:
             if len(self._wanted) >= _MOST_WANTED:
-                raise SessionError(f"{_MOST_WANTED} files are wanted already; wait for one of them")
+                raise SessionError(f"{_MOST_WANTED} files have already been requested; wait for one of them")
             self._wanted.add(digest)
             self._asked.put(digest)
         return held

@@ -60,7 +60,7 @@ class Endpoint(NamedTuple):
         elif ":" in host:
             host = ""
         if not colon or not host or not port.isascii() or not port.isdigit() or len(port) > 5:
-            raise SessionError(f"{text!r} is no endpoint; it takes a host and a port, as in 192.0.2.7:7447")
+            raise SessionError(f"{text!r} is not an endpoint; it must be a host and a port, as in 192.0.2.7:7447")
         return checked(cls(host, int(port)))
 
 
@@ -73,9 +73,7 @@ def checked(endpoint: Endpoint) -> Endpoint:
     host, port = endpoint
     numeric = _numeric(host)
     if numeric is None and (not _HOST_NAME.fullmatch(host) or host.replace(".", "").isdigit()):
-        raise SessionError(
-            f"host {host!r} is neither an address in numbers nor a name, such as 192.0.2.7 or example.org"
-        )
+        raise SessionError(f"host {host!r} is neither a numeric address nor a name, such as 192.0.2.7 or example.org")
     if not 1 <= port <= 65535:
         raise SessionError(f"port {port} of {host} is not a number from 1 to 65535")
     return Endpoint(host if numeric is None else str(numeric), port)
@@ -104,20 +102,24 @@ class Invitation:
 
     def __post_init__(self) -> None:
         if not 1 <= len(self.session) <= _MOST_NAME or not self.session.isprintable():
-            raise SessionError(f"the session's name {self.session!r} takes 1 to {_MOST_NAME} printable characters")
+            raise SessionError(
+                f"the session's name is {self.session!r}; it must be 1 to {_MOST_NAME} printable characters"
+            )
         if len(self.host) != 32:
-            raise SessionError(f"the host's public key has {len(self.host)} bytes; it takes 32")
+            raise SessionError(f"the host's public key has {len(self.host)} bytes; it must have 32")
         if len(self.digest) != 32:
-            raise SessionError(f"the hash of the session's description has {len(self.digest)} bytes; SHA-256 has 32")
+            raise SessionError(f"the hash of the session's description has {len(self.digest)} bytes; it must have 32")
         if len(self.secret) != _SECRET_BYTES:
-            raise SessionError(f"the secret of an invitation has {len(self.secret)} bytes; it takes {_SECRET_BYTES}")
+            raise SessionError(
+                f"the secret of an invitation has {len(self.secret)} bytes; it must have {_SECRET_BYTES}"
+            )
         for name in ("endpoints", "routers"):
             given = getattr(self, name)
             if len(given) > _MOST_ENDPOINTS:
-                raise SessionError(f"an invitation has {len(given)} {name}; it takes at most {_MOST_ENDPOINTS}")
+                raise SessionError(f"an invitation has {len(given)} {name}; it may have at most {_MOST_ENDPOINTS}")
             object.__setattr__(self, name, tuple(checked(endpoint) for endpoint in given))
         if not self.endpoints and not self.routers:
-            raise SessionError("an invitation names no endpoint; it takes one of the host or of a router")
+            raise SessionError("an invitation names no endpoint; it needs one, of the host or of a router")
 
     @classmethod
     def make(
@@ -187,21 +189,23 @@ class Invitation:
         """
         line = "".join(text.split())
         if line[: len(_SCHEME)].lower() != _SCHEME:
-            raise SessionError(f"{text[:24]!r} is no invitation; one begins with {_SCHEME!r}")
+            raise SessionError(f"{text[:24]!r} is not an invitation; invitations begin with {_SCHEME!r}")
         line = line[len(_SCHEME) :]
         strange = re.search(r"[^A-Za-z0-9_-]", line)
         if strange:
-            raise SessionError(f"the invitation has a {strange[0]!r}, which none has; copy the whole line again")
+            raise SessionError(
+                f"the invitation contains {strange[0]!r}, which is not allowed; copy the whole line again"
+            )
         # The last character may be missing as well as any other; what it stood for is then missing too.
         whole = base64.urlsafe_b64decode(line[: len(line) - (len(line) % 4 == 1)] + "=" * (-len(line) % 4))
         if whole[:1] and whole[0] != _VERSION:
-            raise SessionError(f"the invitation is of version {whole[0]}, but this cotouch reads version {_VERSION}")
+            raise SessionError(f"the invitation has version {whole[0]}, but this cotouch reads version {_VERSION}")
         length = _HEAD.unpack_from(whole)[1] if len(whole) >= _HEAD.size else _HEAD.size + 1
         if len(whole) < length:
             raise SessionError(f"the invitation is cut off: {len(whole)} bytes of {length}; copy the whole line")
         body, check = whole[: length - _CHECK_BYTES], whole[length - _CHECK_BYTES : length]
         if len(whole) != length or len(body) < _HEAD.size or check != _check(body):
-            raise SessionError("the invitation has a slip: its check does not fit; copy the whole line again")
+            raise SessionError("the invitation has a mistake in it (its checksum is wrong); copy the whole line again")
         try:
             return _read(body)
         except (IndexError, UnicodeDecodeError, struct.error) as error:

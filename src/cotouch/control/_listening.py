@@ -79,7 +79,7 @@ def listening(invitation: Invitation, listen: Endpoint | str | None, *, host: bo
     try:
         address = str(ipaddress.ip_address(address))
     except ValueError:
-        raise SessionError(f"{address!r} is not an address in numbers; listen on one, or on 'reachable'") from None
+        raise SessionError(f"{address!r} is not a numeric address; listen on one, or on 'reachable'") from None
     return (checked(Endpoint(address, free_port(address))),)
 
 
@@ -121,4 +121,4 @@ def _towards(invitation: Invitation) -> str:
                 return str(probe.getsockname()[0])
         except OSError:
             continue
-    raise TransportError(f"this machine has no way to {', '.join(map(str, invitation.endpoints))}; check its network")
+    raise TransportError(f"this machine has no route to {', '.join(map(str, invitation.endpoints))}; check its network")

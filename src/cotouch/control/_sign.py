@@ -75,7 +75,7 @@ class MessageWriter:
             started: unix time [ns]; a member that comes back under the same identity is then above all it said before.
         """
         if not 0 < started < 1 << 63:
-            raise SessionError(f"a start at {started} ns is no unix time; it takes nanoseconds since 1970")
+            raise SessionError(f"a start at {started} ns is not a Unix time; it must be in nanoseconds since 1970")
         self._identity = identity
         self._session = session
         self._counter = started
@@ -106,11 +106,11 @@ class MessageWriter:
         """
         if len(topic) > _MOST_TOPIC or not _TOPIC.fullmatch(topic):
             raise SessionError(
-                f"topic {topic[:80]!r} is none; it takes lower-case words joined by dots, as in link.keys"
+                f"topic {topic[:80]!r} is not valid; it must be lower-case words joined by dots, as in link.keys"
             )
         if len(body) > MOST_BODY:
             raise SessionError(
-                f"a message on {topic!r} has {len(body)} bytes; {MOST_BODY} go, and more as a file (offer)"
+                f"a message on {topic!r} has {len(body)} bytes; at most {MOST_BODY} are allowed, so offer it as a file"
             )
         if to is not None and (len(to) != 32 or to in {_ALL, self._identity.public}):
             raise SessionError("a message is for another member's public key of 32 bytes, or for None: everybody")

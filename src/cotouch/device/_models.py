@@ -129,7 +129,7 @@ class PhantomPlant:
                 low <= degrees(angle) <= high for (low, high), angle in zip(_LIMITS, (*q, q[2] - q[1]), strict=True)
             ):
                 return q
-        raise DeviceError(f"position is {tip}; a PHANToM's tip does not reach there")
+        raise DeviceError(f"position is {tip}; a PHANToM's tip cannot reach it")
 
 
 _MASS = {"a": 0.0202, "c": 0.0249, "be": 0.2359, "df": 0.1906}
@@ -253,7 +253,7 @@ def _waypoints(path: Sequence[float] | Sequence[Sequence[float]]) -> tuple[tuple
             rows.append((float(values[0]), triple("hand's waypoint", values[1:])))
         times = [time for time, _ in rows]
         if any(later <= earlier for earlier, later in pairwise(times)):
-            raise DeviceError(f"hand's path has the times {times}; they must rise")
+            raise DeviceError(f"hand's path has the times {times}; they must increase")
         return tuple(rows)
     flat = [entry for entry in path if not isinstance(entry, Sequence)]
     return ((0.0, triple("hand's path", flat)),)

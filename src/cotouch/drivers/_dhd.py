@@ -26,7 +26,7 @@ BUTTON, WATCHDOG, DEADMAN = 1, 3, 6
 CAUSES = {
     1: "its button or foot switch",
     2: "it was too fast",
-    3: "no force came in time (watchdog)",
+    3: "no force command arrived in time (watchdog)",
     4: "a program",
     5: "its USB cable is gone",
     6: "nobody held it",
@@ -199,7 +199,7 @@ class Dhd:
             raise self._error("dhdGetStatus")
         for field, why in ((_CONNECTED, CAUSES[_UNPLUGGED]), (_POWER, "it has no power")):
             if not self._status[field]:
-                raise DeviceError(f"the Force Dimension device {self._index} took its forces away by itself: {why}")
+                raise DeviceError(f"the Force Dimension device {self._index} switched its forces off by itself: {why}")
         if self._status[_FORCE] and not self._status[_BRAKE]:
             return None
         return self._status[_CAUSE]

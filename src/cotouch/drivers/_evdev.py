@@ -84,12 +84,15 @@ class EventFile:
             DeviceError: there is none, or it may not be opened; says what to do.
         """
         if sys.platform != "linux":
-            raise DeviceError(f"gamepads are read on Linux only, this is {sys.platform}; use one in the page instead")
+            raise DeviceError(
+                f"gamepads are supported only on Linux, and this is {sys.platform}; use one in the page instead"
+            )
         if path is None:
             pads = gamepads()
             if not pads:
                 raise DeviceError(
-                    f"no gamepad is in {FOLDER}; connect one, and see that you may read its event file (group input)"
+                    f"no gamepad is in {FOLDER}; connect one, and make sure that you may read its event file (group "
+                    f"input)"
                 )
             path = pads[0]
         self.path = path

@@ -126,9 +126,7 @@ class ForceDimension:
             hint = "keep clear of it" if allow_motion else "put its handle into its rest, or allow it to move by itself"
             raise self._fault(f"{self._spec.name} is not calibrated; {hint}: {error}") from None
         if not dhd.initialized():
-            raise self._fault(
-                f"{self._spec.name} is not calibrated, though it says that it tried; switch it off and on"
-            )
+            raise self._fault(f"{self._spec.name} is still not calibrated after trying; switch it off and on")
 
     def enable_force(self, on: bool = True) -> None:
         """See `Device.enable_force`."""
@@ -228,7 +226,9 @@ class ForceDimension:
             return
         off = dhd.why_off()
         if off is not None and off not in _ORDINARY and self._on:
-            raise DeviceError(f"{self._spec.name} took its forces away by itself: {CAUSES.get(off, 'no cause said')}")
+            raise DeviceError(
+                f"{self._spec.name} switched its forces off by itself: {CAUSES.get(off, 'no cause given')}"
+            )
         self._off = off
 
     def _opened(self) -> Dhd:
@@ -244,4 +244,4 @@ class ForceDimension:
 
 def _check_family(index: int, family: str, product: str, wanted: str | None) -> None:
     if wanted is not None and wanted != family:
-        raise DeviceError(f"the Force Dimension device {index} is a {product}; it must be a {wanted}, as was asked for")
+        raise DeviceError(f"the Force Dimension device {index} is a {product}; but a {wanted} was requested")

@@ -35,7 +35,7 @@ _FIRST = 0.5
 _FAREWELL = 0.05
 # What the service applies may differ from what it was told by this without being limited [N, share].
 _TOLERANCE = (0.05, 0.05)
-_HINT = "install it with Haply Hub (develop.haply.co), start it, or say with the option url where it is"
+_HINT = "install it with Haply Hub (develop.haply.co), start it, or give its address with the option url"
 # How the workspace is set, and whose handle is whose, is asked every so many cycles: Haply Hub may change it meanwhile.
 _ASK_EVERY = 50
 # Pleas for a workspace as it must be, of which each may take the service a few frames.
@@ -142,7 +142,7 @@ class Inverse3:
             self.exchange(np.zeros(3))
         if not self._calibrated:
             raise self._fault(
-                f"the Inverse3 {self._identity} is not calibrated; put its arm as Haply Hub shows it, and open it anew"
+                f"the Inverse3 {self._identity} is not calibrated; place its arm as Haply Hub shows, and open it again"
             )
 
     def enable_force(self, on: bool = True) -> None:
@@ -322,8 +322,7 @@ class Inverse3:
         for name, meaning in (("power_supply", "has no power"), ("ready", "is not ready")):
             if status.get(name) is False:
                 raise self._fault(
-                    f"the Inverse3 {self._identity} {meaning}; "
-                    + ("look into Haply Hub" if opening else "force is off")
+                    f"the Inverse3 {self._identity} {meaning}; " + ("check Haply Hub" if opening else "force is off")
                 )
 
     def _listen(self) -> None:

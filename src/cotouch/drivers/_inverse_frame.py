@@ -68,7 +68,7 @@ def read_frame(data: bytes) -> dict[str, Any]:
     except ValueError:
         frame = None
     if frame is None:
-        raise DeviceError(f"the Inverse Service sent {data[:40]!r}, which is no JSON object")
+        raise DeviceError(f"the Inverse Service sent {data[:40]!r}, which is not a JSON object")
     return frame
 
 
@@ -89,7 +89,7 @@ def choose(frame: Mapping[str, Any], wanted: str | None) -> str:
     """
     there = identities(frame)
     if not there:
-        raise DeviceError("the Inverse Service knows no Inverse3; connect it, switch it on, and look into Haply Hub")
+        raise DeviceError("the Inverse Service finds no Inverse3; connect it, switch it on, and check Haply Hub")
     if wanted is None and len(there) > 1:
         raise DeviceError(f"{len(there)} Inverse3 are connected; name one by its identity: {', '.join(there)}")
     if wanted is not None and wanted not in there:

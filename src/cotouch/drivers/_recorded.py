@@ -67,7 +67,7 @@ class RecordedHand:
         known = np.isfinite(mine).all(axis=1)
         if np.count_nonzero(known) < 2:
             raise DeviceError(
-                f"{self._path} has less than two places of tool {self._tool}, so there is no motion in it"
+                f"{self._path} has fewer than two positions of tool {self._tool}, so there is no motion in it"
             )
         times, mine = recording.columns["end"][known], mine[known]
         self.middle = 0.5 * (mine.min(axis=0) + mine.max(axis=0))

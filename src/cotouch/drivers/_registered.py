@@ -62,18 +62,18 @@ def _present_gamepad() -> Sequence[str]:
 
 FORCE_DIMENSION = Driver(
     name="force_dimension",
-    summary="Force Dimension omega, delta, sigma and lambda, and the Falcon, through their SDK",
+    summary="Force Dimension omega, delta, sigma and lambda, and the Falcon, through the vendor's SDK",
     make=_force_dimension,
     spec=PRESETS["omega"],
     variants=("omega", "delta", "sigma", "lambda", "falcon"),
     options={
-        "index": "of the device in the SDK's order, from 0",
+        "index": "number of the device in the SDK's order, from 0",
         "library": "file or folder of libdrd; else $COTOUCH_FORCE_DIMENSION, or where the system looks",
-        "watchdog": "silence after which the device takes forces away, 0.001 to 0.03 [s]; 0.02",
-        "velocity_threshold": "at which the device brakes, in the unit of its firmware; only downwards",
-        "wait": "for a hand to put the handle into its rest [s]; 20",
+        "watchdog": "silence after which the device switches its forces off, 0.001 to 0.03 [s]; 0.02",
+        "velocity_threshold": "speed at which the device brakes, in firmware units; can only be lowered",
+        "wait": "time for a hand to put the handle into its rest [s]; 20",
     },
-    watchdog="Firmware 3.0 and newer takes forces away after 20 ms without a command; older ones do not.",
+    watchdog="Firmware 3.0 and newer switches forces off after 20 ms without a command; older firmware does not.",
     present=_present_force_dimension,
     tested="a stub library with a firmware of its own; no device",
 )
@@ -85,22 +85,22 @@ TOUCH = Driver(
     make=_touch,
     spec=PRESETS["touch"],
     options={
-        "name": "of the device in the vendor's setup; Default Device",
+        "name": "name of the device in the vendor's setup; Default Device",
         "library": "file or folder of libHD; else $COTOUCH_OPENHAPTICS, or where the system looks",
-        "wait": "for a hand to put the stylus into the inkwell [s]; 20",
-        "reset": "true: somebody holds it in its reset position, for a device that has no other calibration",
+        "wait": "time for a hand to put the stylus into the inkwell [s]; 20",
+        "reset": "true: it is being held in its reset position; for a device that has no other calibration",
     },
-    watchdog="Not published; the vendor's driver ends the servo with the program, and is said to cut the motors.",
+    watchdog="Not published; the vendor's driver stops the servo with the program, and reportedly cuts the motors.",
     tested="a stub library with a scheduler of its own; no device",
 )
 """3D Systems' devices."""
 
 GAMEPAD = Driver(
     name="gamepad",
-    summary="a gamepad on Linux: sticks lead a point, force rumbles",
+    summary="a gamepad on Linux: sticks move a point, rumble renders force",
     make=_gamepad,
     spec=PASSIVE,
-    options={"path": "its event file; else the first gamepad", "speed": "of the point, at most [m/s]; 0.2"},
+    options={"path": "its event file; else the first gamepad", "speed": "maximum speed of the point [m/s]; 0.2"},
     watchdog="The kernel ends its rumble when the program dies; a rumble lasts 0.1 s.",
     present=_present_gamepad,
     tested="a stand-in for its event file; no pad",
@@ -109,13 +109,13 @@ GAMEPAD = Driver(
 
 RECORDED = Driver(
     name="recorded",
-    summary="the hand of a recording, played again",
+    summary="the hand of a recording, replayed",
     make=_recorded,
     spec=replace(PASSIVE, name="recorded hand", rate=1000.0, resolution=1e-6),
     options={
         "path": "of the recording",
         "tool": "which tool, from 1",
-        "repeat": "whether to go there and back for ever: true or false",
+        "repeat": "whether to play to and fro for ever: true or false",
     },
     watchdog="It has no motors.",
     tested="recordings",

@@ -47,5 +47,5 @@ class SampleWatch:
             self._changed = time
         self._position, self._velocity = place, rate
         if same and time - self._changed > PATIENCE and max(map(abs, rate)) > _MOVING:
-            return f"repeats one position for {1e3 * (time - self._changed):.0f} ms while it says that it moves"
+            return f"repeats one position for {1e3 * (time - self._changed):.0f} ms while it reports motion"
         return None

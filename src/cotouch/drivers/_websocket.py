@@ -54,7 +54,7 @@ class WebSocket:
         try:
             self._socket = socket.create_connection((uri.host, uri.port), timeout)
         except OSError as error:
-            raise DeviceError(f"{what} does not answer at {url} ({error.strerror or error}); {hint}") from None
+            raise DeviceError(f"{what} did not answer at {url} ({error.strerror or error}); {hint}") from None
         self._protocol = ClientProtocol(uri, max_size=_MOST)
         self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self._socket.setblocking(False)
@@ -70,7 +70,7 @@ class WebSocket:
             raise
         if not answered:
             self.close()
-            raise DeviceError(f"{what} does not answer at {url} within {timeout:g} s; {hint}")
+            raise DeviceError(f"{what} did not answer at {url} within {timeout:g} s; {hint}")
 
     def send(self, text: bytes) -> None:
         """Sends one message.
@@ -79,7 +79,7 @@ class WebSocket:
             TransportError: it cannot be sent.
         """
         if not self._lock.acquire(timeout=0.02):
-            raise TransportError("another thread does not let go of the connection")
+            raise TransportError("another thread is still using the connection")
         try:
             if self._protocol.state is not State.OPEN:
                 raise TransportError("the connection is closed")

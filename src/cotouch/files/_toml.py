@@ -42,7 +42,7 @@ def _value(value: Any) -> str:
         case list() | tuple():
             return "[" + ", ".join(map(_value, cast("list[Any]", value))) + "]"
         case _:
-            raise TypeError(f"{value!r} is nothing that TOML has")
+            raise TypeError(f"{value!r} cannot be written as TOML")
 
 
 def _letter(letter: str) -> str:

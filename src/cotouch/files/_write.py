@@ -74,16 +74,16 @@ def prepare(path: Path, suffixes: Sequence[str] = (), inputs: Iterable[Path] = (
         with contextlib.suppress(OSError):
             if found is not None and os.path.samestat(found, read.stat()):
                 raise OutputError(
-                    f"{path} is read by this command ({read}) and would be written over; name another file"
+                    f"{path} is read by this command ({read}) and would be overwritten; name another file"
                 )
     if number is not None or (found is not None and not stat.S_ISREG(found.st_mode)):
         return
     if suffixes and path.suffix.lower() not in suffixes:
         known = suffixes[0] if len(suffixes) == 1 else f"{', '.join(suffixes[:-1])} or {suffixes[-1]}"
-        raise OutputError(f'{path} ends in "{path.suffix}"; what is written there must end in {known}')
+        raise OutputError(f'{path} ends in "{path.suffix}"; its name must end in {known}')
     parent = Path(os.path.realpath(path)).parent
     if not parent.is_dir():
-        raise OutputError(f"the folder of {path} does not exist; make it first")
+        raise OutputError(f"the folder of {path} does not exist; create it first")
     try:
         _usable(parent)
     except OSError as error:
@@ -100,7 +100,7 @@ def folder(path: Path) -> Path:
         path.mkdir(parents=True, exist_ok=True)
         _usable(path)
     except (OSError, ValueError) as error:
-        raise OutputError(f"the folder {path} cannot be made: {reason(error)}") from error
+        raise OutputError(f"the folder {path} cannot be created: {reason(error)}") from error
     return path
 
 

@@ -159,7 +159,7 @@ class DeviceHand:
         for number in wanted:
             if tools[number].hand is None:
                 raise DeviceError(
-                    f"a device is to move tool {number + 1} of user {slot + 1}, which has no [tools.hand] whose "
+                    f"a device would move tool {number + 1} of user {slot + 1}, which has no [tools.hand] whose "
                     "springs turn it; give it one in the session's file"
                 )
         numbers = dict(zip((k for k, tool in enumerate(tools) if tool.hand), handles_of(body, slot), strict=True))
@@ -261,7 +261,9 @@ def _tools_wanted(said: Sequence[CouplingChoice], slot: int) -> list[int]:
     """
     given = [one.tool for one in said if one.tool is not None]
     if len(set(given)) < len(given):
-        raise DeviceError(f"two devices are to move the same tool of user {slot + 1}; give each another, as tool=2")
+        raise DeviceError(
+            f"two devices would move the same tool of user {slot + 1}; give each a different one, as in tool=2"
+        )
     left = iter(number for number in range(1, len(said) + len(given) + 1) if number not in given)
     return [(next(left) if one.tool is None else one.tool) - 1 for one in said] or [0]
 
@@ -305,7 +307,7 @@ def _check_count(wanted: list[int], count: int, slot: int) -> None:
     if wanted and max(wanted) >= count:
         some = "only one tool" if count == 1 else f"only {count} tools"
         raise DeviceError(
-            f"a device is to move tool {max(wanted) + 1} of user {slot + 1}, which has {some}; give the session's "
+            f"a device would move tool {max(wanted) + 1} of user {slot + 1}, which has {some}; give the session's "
             "file another [[tools]], or take part with fewer devices"
         )
 
@@ -321,7 +323,7 @@ def _nodes(scenario: Scenario, body: Body, slot: int, wanted: list[int]) -> list
         return [own[number] for number in wanted]
     if own or wanted != [0]:
         raise DeviceError(
-            f"a device is to hold what hand {max(wanted) + 1} of user {slot + 1} holds, which has {len(own)}; "
+            f"a device would hold what hand {max(wanted) + 1} of user {slot + 1} holds, which has {len(own)}; "
             "give the session's file another [[hands]], or take part with fewer devices"
         )
     rest = body.rest[: body.shared]

@@ -109,7 +109,7 @@ def _with_force(
     gentle = _cycles(device, cycles, np.array([0.0, 0.0, _GENTLE]), clock, sleep)
     _readings(gentle, note, "with force", clock)
     sizes = [float(np.linalg.norm(r.force)) for r, _ in gentle if np.isfinite(r.force).all()]
-    note("no more force than was asked", all(s <= 1.01 * _GENTLE for s in sizes), f"{max(sizes, default=0.0):.3g} N")
+    note("no more force than commanded", all(s <= 1.01 * _GENTLE for s in sizes), f"{max(sizes, default=0.0):.3g} N")
     raised: list[BaseException] = []
 
     def stop() -> None:
@@ -123,7 +123,7 @@ def _with_force(
         thread.start()
     for thread in stops:
         thread.join()
-    note("stop from other threads, again and again", not raised, "it must not raise")
+    note("stop from other threads, repeatedly", not raised, "it must not raise")
     stopped = _cycles(device, cycles, _ZERO + _GENTLE, clock, sleep)
     note("no force after stop", _off(stopped), "force 0 or unsaid, and not FORCE_ON")
     device.enable_force()
@@ -170,14 +170,14 @@ def _readings(cycles: Cycles, note: Note, when: str, clock: Callable[[], float])
         later > earlier or readings[n + 1].flags & Flag.STALE
         for n, (earlier, later) in enumerate(itertools.pairwise(times))
     )
-    note(f"time rises, {when}", rising and fresh, "and what is not new says STALE")
+    note(f"time rises, {when}", rising and fresh, "and repeated readings are marked STALE")
     note(f"time is the clock's, {when}", abs(clock() - times[-1]) < 1.0, "monotonic, like ours")
     slow = sorted(took for _, took in cycles)[int(0.9 * (len(cycles) - 1))]
     note(f"in time, {when}", slow <= 2.0 * LIMIT, f"9 of 10 exchanges within {1e3 * slow:.2g} ms")
     fast = max(float(np.linalg.norm(r.velocity)) for r in readings) if finite else math.inf
     note(f"velocity is m/s, {when}", fast < _FASTEST, f"at most {fast:.3g} m/s")
     far = max(float(np.linalg.norm(r.position)) for r in readings) if finite else math.inf
-    note(f"place is m from the middle of the workspace, {when}", far < 1.0, f"at most {far:.3g} m")
+    note(f"position is m from the centre of the workspace, {when}", far < 1.0, f"at most {far:.3g} m")
     handles = [r.orientation for r in readings if r.orientation is not None]
     units = all(h.shape == (4,) and abs(float(np.linalg.norm(h)) - 1.0) < 1e-3 for h in handles)
     note(f"orientation is a unit quaternion, {when}", units, "or None")

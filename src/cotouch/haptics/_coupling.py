@@ -20,12 +20,12 @@ COUPLING: Mapping[str, str] = {
     "coupling": "pspm, or virtual for a plain spring and damper where the device's own friction allows it",
     "stiffness": "of the coupling [N/m]",
     "damping": "of the coupling [Ns/m]",
-    "friction": "viscous, that the device itself has for certain; with coupling=virtual [Ns/m]",
-    "coulomb": "dry friction that the device itself has for certain; with coupling=virtual [N]",
-    "ages": "of the places that both ends know of each other, together; with coupling=virtual, 0.01 [s]",
-    "weight": "more lets the device pay for old places, less the proxy; with coupling=virtual, 1",
-    "scale": "the body moves so many times as far as the device, which feels so many times the force; or fit",
-    "tool": "of the user that it moves, from 1",
+    "friction": "viscous friction that the device itself certainly has; with coupling=virtual [Ns/m]",
+    "coulomb": "dry friction that the device itself certainly has; with coupling=virtual [N]",
+    "ages": "sum of the ages of the positions that both ends know of each other; with coupling=virtual, 0.01 [s]",
+    "weight": "above 1, the device pays more for old positions, below 1 the proxy; with coupling=virtual, 1",
+    "scale": "the body moves this many times as far as the device, which feels this many times the force; or fit",
+    "tool": "which tool of the user it moves, from 1",
 }
 _PARAMETERS: Final = ("friction", "coulomb", "ages", "weight")
 _USUAL: Final = "pspm"
@@ -73,7 +73,7 @@ class CouplingChoice:
                 raise DeviceError(f"the coupling's {name} is {value:g}; it must be a number of at least 0")
             if value is not None and name in _PARAMETERS and name not in law.parameters:
                 raise DeviceError(
-                    f"{name} is given, but with coupling={law.name} it has no effect; leave it out, or say "
+                    f"{name} is given, but with coupling={law.name} it has no effect; leave it out, or use "
                     "coupling=virtual"
                 )
         if isinstance(self.scale, int | float) and not LEAST_SCALE <= self.scale <= MOST_SCALE:
@@ -147,7 +147,8 @@ def _with_toll(options: EndOptions, spec: DeviceSpec, *, lower: bool) -> EndOpti
     if options.stiffness > limit and not lower:
         raise DeviceError(
             f"the coupling's stiffness is {options.stiffness:g} N/m, but with a damping of {options.damping:g} Ns/m "
-            f"and places {1e3 * options.ages:g} ms old it swings above {limit:g} N/m; lower it, or say more damping"
+            f"and positions {1e3 * options.ages:g} ms old it oscillates above {limit:g} N/m; lower it, or state more "
+            f"damping"
         )
     fine = spec.resolution
     stiffness, damping = min(options.stiffness, limit), options.damping

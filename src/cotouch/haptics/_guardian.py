@@ -157,7 +157,7 @@ def halt(chosen: Driver | None, settings: ServoSettings) -> str:
             device.close()
     except Exception as error:  # noqa: BLE001  # as above
         return f"only its own watchdog could stop it ({error})"
-    return "opened anew and stopped"
+    return "reopened and stopped"
 
 
 def _peer_is_gone() -> bool:

@@ -82,7 +82,7 @@ class SafetyLimits:
         unknown = sorted(set(wanted) - set(ranges))
         if unknown:
             names = ", ".join(field.name for field in fields(cls))
-            raise DeviceError(f'there is no safety limit "{unknown[0]}"; they are {names}')
+            raise DeviceError(f'there is no safety limit "{unknown[0]}"; safety limits are {names}')
         chosen = {
             name: default if name not in wanted else _within(name, wanted[name], least, largest, unit)
             for name, (default, least, largest, unit) in ranges.items()

@@ -201,7 +201,7 @@ class ServoLink:
             self._warning_log.force(self.causes)
         silent = self.gone and not self._over
         if silent and not self._silent:
-            self._warning_log.say("nothing is heard of the device's servo; the proxy is left alone until it is back")
+            self._warning_log.say("the device's servo is silent; the proxy moves freely until it is back")
         self._silent = silent
         return self._warning_log.fresh()
 
@@ -251,7 +251,7 @@ class ServoLink:
                 return ready
             if process.poll() is not None:
                 break
-        raise DeviceError(f'the device "{settings.device.name}" did not come up; its process ended or hangs')
+        raise DeviceError(f'the device "{settings.device.name}" did not start; its process ended or hangs')
 
     def _received(self, wait: float, ended: "subprocess.Popen[bytes] | None" = None) -> list[dict[str, Any]]:
         """What the processes wrote; never waits longer than it says."""
@@ -298,4 +298,4 @@ class ServoLink:
             self._over = "servo"
             self._warning_log.say(f"the device's servo is gone; the device was {said['halted']}")
         elif "still" in said:
-            self._warning_log.say("the device's servo stands still; its force was taken away from outside")
+            self._warning_log.say("the device's servo has stopped; its force was removed by the guardian")

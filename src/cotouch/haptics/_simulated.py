@@ -53,7 +53,9 @@ def simulated_model(
     if viscous is not None and not 0.0 <= viscous <= 20.0:
         raise DeviceError(f"viscous is {viscous:g} Ns/m; it must be from 0 to 20 Ns/m")
     if viscous is not None and variant == "phantom":
-        raise DeviceError(f"viscous is {viscous:g} Ns/m, but a PHANToM has joints; leave it out, or take another")
+        raise DeviceError(
+            f"viscous is {viscous:g} Ns/m, but a PHANToM has joints instead; leave it out, or use another variant"
+        )
     usual = CartesianPlant()
     viscous = usual.viscous if viscous is None else viscous
     plant = PhantomPlant() if variant == "phantom" else CartesianPlant(viscous=viscous)
@@ -139,7 +141,9 @@ class SimulatedOnClock:
             device.command(force=(0.0, 0.0, 0.0))
         sample = device.advance(max(device.time, now - self._behind))
         if not sample.finite:
-            raise DeviceError("the simulated device has left the range of numbers; its hand or force was too much")
+            raise DeviceError(
+                "the simulated device exceeded the floating-point range; its hand or force was too strong"
+            )
         wanted = np.asarray(force, dtype=np.float64)
         size = float(np.linalg.norm(wanted))
         if not math.isfinite(size):
@@ -192,18 +196,18 @@ def _make(
 
 SIMULATED = Driver(
     name="simulated",
-    summary="a simulated PHANToM 1.5, Touch or light mass with a hand that goes round",
+    summary="a simulated PHANToM 1.5, Touch or light mass, with a hand that moves in circles",
     make=_make,
     spec=PRESETS["phantom"],
     variants=VARIANTS,
     options={
         "hand": "whether a hand holds it: true or false",
-        "sweep": "how far the hand goes, a factor from 0 to 3",
+        "sweep": "how far the hand moves, a factor from 0 to 3",
         "viscous": "friction of a Touch or light mass, 0 to 20 Ns/m",
         "turn": "how far the hand turns its handle to and fro, 0 to 3 rad",
     },
     halt=_halt,
-    watchdog="It lives in the process that drives it, and ends with it.",
+    watchdog="It runs in the process that drives it, and ends with it.",
     tested="itself",
 )
 """The driver of the simulated devices."""

@@ -65,7 +65,7 @@ def checked_virtual(options: EndOptions, spec: DeviceSpec, *, period: float) -> 
     coarse = virtual_limit(options, period=period, resolution=spec.resolution)
     if options.friction == 0.0:
         raise DeviceError(
-            f"the friction of {spec.name} is 0 Ns/m, and a virtual coupling lives on it; say what it really has, as "
+            f"the friction of {spec.name} is 0 Ns/m, and a virtual coupling depends on it; state the real one, as in "
             "friction=0.5, or use coupling=pspm"
         )
     if limit <= 0.0:
@@ -77,14 +77,14 @@ def checked_virtual(options: EndOptions, spec: DeviceSpec, *, period: float) -> 
     if options.stiffness > limit:
         raise DeviceError(
             f"the virtual coupling's stiffness is {options.stiffness:g} N/m; {spec.name} with a friction of "
-            f"{options.friction:g} Ns/m, ticks of {1e3 * period:g} ms and places {1e3 * options.ages:g} ms old is "
+            f"{options.friction:g} Ns/m, ticks of {1e3 * period:g} ms and positions {1e3 * options.ages:g} ms old is "
             f"passive up to {limit:.4g} N/m, so lower it or use coupling=pspm"
         )
     if options.stiffness > coarse:
         upto = f"up to {coarse:.4g} N/m" if coarse > 0.0 else "with none"
         raise DeviceError(
-            f"the virtual coupling's stiffness is {options.stiffness:g} N/m; {spec.name} knows its place to "
+            f"the virtual coupling's stiffness is {options.stiffness:g} N/m; {spec.name} knows its position to "
             f"{1e3 * spec.resolution:g} mm and with a dry friction of {options.coulomb:g} N is passive {upto}, so "
-            "lower it, say what dry friction it really has, as coulomb=0.1, or use coupling=pspm"
+            "lower it, state its real dry friction, as in coulomb=0.1, or use coupling=pspm"
         )
     return options

@@ -99,7 +99,7 @@ class Study(Table):
             said = [str(name) for name in names]
             for name in said:
                 if said.count(name) > 1:
-                    raise ValueError(f'{what} holds "{name}" twice; give each a name of its own')
+                    raise ValueError(f'{what} holds "{name}" twice; give each a different name')
         if self.duration < _FEWEST * self.period:
             raise ValueError(
                 f"period is {self.period:g} s; in a run of {self.duration:g} s it must be at most "
@@ -109,10 +109,10 @@ class Study(Table):
         for network in self.networks:
             if network.tuned_on is not None and network.tuned_on not in known:
                 raise ValueError(
-                    f'network "{network.name}" is tuned_on "{network.tuned_on}", which is none of the networks'
+                    f'network "{network.name}" is tuned_on "{network.tuned_on}", which is not one of the networks'
                 )
         if self.ours is not None and self.ours not in [law.label for law in self.laws]:
-            raise ValueError(f'ours is "{self.ours}", which is none of the laws')
+            raise ValueError(f'ours is "{self.ours}", which is not one of the laws')
         for law in self.laws:
             try:
                 law_named(law.kind).check(law.given)
@@ -199,7 +199,7 @@ class Study(Table):
         if network.delays is not None:
             whole = Network.from_delays(network.delays, pick=network.pick, spring=self.spring * factor)
             if users > whole.size:
-                raise ScenarioError(f'network "{network.name}" has {whole.size} users; {users} are asked for')
+                raise ScenarioError(f'network "{network.name}" has {whole.size} users; {users} are required')
             names, delay, known = whole.users[:users], whole.delay[:users, :users], whole.spring[:users, :users]
         else:
             names, delay = [f"user {i + 1}" for i in range(users)], np.full((users, users), network.delay)

@@ -33,7 +33,7 @@ class LawTable(Table):
     @model_validator(mode="after")
     def _one(self) -> Self:
         if self.law is None and self.replica is None:
-            raise ValueError("an entry of laws needs one of law and replica")
+            raise ValueError("an entry of laws needs either law or replica")
         if self.replica is not None and self.replica not in REPLICAS:
             raise ValueError(f'replica is "{self.replica}"; it must be one of {", ".join(REPLICAS)}')
         if self.law is not None and self.replica is not None and REPLICAS[self.replica].join is None:
@@ -91,9 +91,9 @@ class NetworkTable(Table):
     @model_validator(mode="after")
     def _one(self) -> Self:
         if (self.delay is None) == (self.delays is None):
-            raise ValueError(f'network "{self.name}" needs one of delay and delays')
+            raise ValueError(f'network "{self.name}" needs either delay or delays')
         if self.pick and self.delays is None:
-            raise ValueError(f'network "{self.name}" has pick, which takes users of a table of delays; give delays')
+            raise ValueError(f'network "{self.name}" has pick, which picks users of a table of delays; give delays')
         return self
 
     @property

@@ -53,7 +53,8 @@ def values_of(text: str) -> list[Any]:
     fits = np.isfinite([low, high]).all() and 1 <= count <= _MOST_RUNS and (not log or min(low, high) > 0.0)
     if not fits or len(parts) > 3 + log:
         raise ScenarioError(
-            f'"{text}" is no range; write low:high:count, low:high:count:log with both above 0, or values with commas'
+            f'"{text}" is not a range; write low:high:count, low:high:count:log with both above 0, or values with '
+            f"commas"
         )
     return (np.geomspace if log else np.linspace)(low, high, count).tolist()
 

@@ -216,7 +216,7 @@ class Law:
         for name, value in given.items():
             if name not in known:
                 may = ", ".join(known) or "none"
-                raise NetworkError(f'law.{name} is no parameter of law "{self.name}", which has: {may}')
+                raise NetworkError(f'law.{name} is not a parameter of law "{self.name}", which has: {may}')
             own = known[name]
             if isinstance(value, str):
                 if _factor(value) is None:
@@ -271,11 +271,11 @@ def register(law: Law) -> Law:
         NetworkError: its seed is none of its parameters, or something else that it declares none of what it sends.
     """
     if law.seed is not None and law.seed not in {parameter.name for parameter in law.parameters}:
-        raise NetworkError(f'law "{law.name}" declares the seed "{law.seed}", which is none of its parameters')
+        raise NetworkError(f'law "{law.name}" declares the seed "{law.seed}", which is not one of its parameters')
     for name in {*law.energies, *law.counts, *(() if law.length is None else (law.length,))} - set(law.sends_scalars):
-        raise NetworkError(f'law "{law.name}" declares "{name}", which is none of the numbers that it sends')
+        raise NetworkError(f'law "{law.name}" declares "{name}", which is not one of the numbers that it sends')
     for name in set(law.sums) - set(law.sends):
-        raise NetworkError(f'law "{law.name}" declares the sum "{name}", which is none of the fields that it sends')
+        raise NetworkError(f'law "{law.name}" declares the sum "{name}", which is not one of the fields that it sends')
     _KNOWN[law.name] = law
     return law
 

@@ -90,7 +90,7 @@ def _elements(body: Body, material: Material | None, first: int) -> dict[str, An
     elements = material.elements + first
     count, size = elements.shape
     if size not in EDGES:
-        raise UnsupportedError(f"elements have {size} corners; what can be cut has 2, 4 or 8")
+        raise UnsupportedError(f"elements have {size} corners; only elements of 2, 4 or 8 can be cut")
     edge = np.array(EDGES[size])
     ends = body.rest[elements[:, edge]]
     length = np.linalg.norm(ends[:, :, 1] - ends[:, :, 0], axis=2)

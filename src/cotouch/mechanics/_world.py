@@ -58,7 +58,7 @@ def solids_of(obstacles: Sequence[Obstacle], body: Body) -> list[Obstacle]:
     """
     found = [one for one in obstacles if isinstance(one.shape, Solid)]
     if found and not body.parts:
-        raise UnsupportedError("what meets a solid must be one of several bodies; make it so by `together`")
+        raise UnsupportedError("a body that meets a solid must be one of several bodies; combine them with `together`")
     return found
 
 

@@ -14,7 +14,7 @@ from cotouch.traversal import Addresses, Place
 _AGAIN = 2.0
 # Names that one address may take in a session.
 _NAMES_EACH = 16
-_UNKNOWN = "an address that is not known"
+_UNKNOWN = "an unknown address"
 
 
 def addresses_of(addresses: Addresses, own: Container[str]) -> Callable[[bytes, Join], str | None]:
@@ -133,15 +133,17 @@ class Admission:
             roster: as it is.
         """
         if self.fingerprint is None or not same_body(join.fingerprint, self.fingerprint):
-            return "this machine built another body from the same file; use the same version of cotouch as the others"
+            return (
+                "this machine built a different body from the same file; use the same version of cotouch as the others"
+            )
         if join.law != self._law:
             own, name = self._law.split()[0], (join.law.split() or ["none"])[0]
             return (
-                f'links of this session run law "{own}", and this machine has another ("{name}"); use the same '
+                f'links of this session use law "{own}", and this machine has a different one ("{name}"); use the same '
                 "version of cotouch as the others"
             )
         if key in roster.banned:
-            return "the host sent you away from this session"
+            return "the host expelled you from this session"
         owners = roster.owners()
         if owners.get(join.name, key) != key:
             return (
@@ -152,7 +154,7 @@ class Admission:
         if before != join.name:
             return f'you are known as "{before}" in this session; join with --name "{before}"'
         if join.name not in owners and len(owners) >= MOST_NAMES:
-            return f"this session knows {MOST_NAMES} names, which is all it can; ask the host to release some"
+            return f"this session already has {MOST_NAMES} names, the maximum; ask the host to release some"
         return None
 
     def _free(self, join: Join, key: str, roster: Roster) -> int | str:
@@ -180,12 +182,12 @@ class Admission:
         here = sum(self._at.get(entry.key) == address for entry in roster.members)
         if here >= self._each:
             return (
-                f"{here} slots are taken from {address} already, and one address may take {self._each}; the host may "
+                f"{here} slots are already taken from {address}, and one address may take {self._each}; the host can "
                 "allow more with session.per_address"
             )
         owners = set(roster.owners().values())
         if key not in owners and sum(self._at.get(owner) == address for owner in owners) >= _NAMES_EACH:
-            return f"{_NAMES_EACH} names were taken from {address} already; ask the host to release some"
+            return f"{_NAMES_EACH} names are already taken from {address}; ask the host to release some"
         return None
 
     def _address(self, key: str, join: Join) -> str:

@@ -59,7 +59,7 @@ class Asking:
             self._first_asked = now
         waited = now - self._first_asked > _PATIENCE
         if not inside and self.refusal is not None and (self._final or waited):
-            raise SessionError(f"the host does not let {self.request.name} in: {self.refusal}")
+            raise SessionError(f"the host does not admit {self.request.name}: {self.refusal}")
         if now - self._asked < _ASK_EVERY:
             return None
         place = None if self._place is None else self._place()

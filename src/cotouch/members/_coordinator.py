@@ -179,7 +179,7 @@ class Coordinator:
             known = ", ".join(entry.name for entry in self.roster.members) or "nobody"
             raise SessionError(f'nobody here has the name "{name}"; there are: {known}')
         if ban and len(self.roster.banned) >= MOST_BANNED:
-            raise SessionError(f"{MOST_BANNED} were sent away already; make a new session")
+            raise SessionError(f"{MOST_BANNED} users have already been expelled; start a new session")
         left = [entry for entry in self.roster.members if entry.key != key]
         names = [bound for bound in self.roster.names if bound.key != key]
         self._change(left, names=names, banned=[*self.roster.banned, key] if ban else None)
@@ -191,10 +191,10 @@ class Coordinator:
             SessionError: it is nobody's, or its owner is here.
         """
         if any(entry.name == name for entry in self.roster.members):
-            raise SessionError(f'"{name}" is here; only a name whose owner is gone can be released')
+            raise SessionError(f'"{name}" has joined; only the name of a user who has left can be released')
         names = [bound for bound in self.roster.names if bound.name != name]
         if len(names) == len(self.roster.names):
-            raise SessionError(f'the name "{name}" is nobody\'s; there is nothing to release')
+            raise SessionError(f'nobody has used the name "{name}"; there is nothing to release')
         self._change(self.roster.members, names=names)
 
     def choose(self, links: list[Pair]) -> None:

@@ -19,12 +19,12 @@ def path_laws(scenario: Scenario, slot: int) -> dict[int, PathLaw]:
     """
     channel = scenario.channel
     if channel.jitter is not None and channel.jitter.kind != "uniform":
-        raise ScenarioError(f'channel.jitter.kind is "{channel.jitter.kind}"; a session emulates "uniform" only')
+        raise ScenarioError(f'channel.jitter.kind is "{channel.jitter.kind}"; a session can emulate only "uniform"')
     if channel.trace is not None and not channel.trace.loop:
-        raise ScenarioError("channel.trace.loop is false, but a session may last longer; let the trace begin anew")
+        raise ScenarioError("channel.trace.loop is false, but a session may last longer; set it to true")
     burst = channel.burst
     if burst is not None and (burst.loss_good, burst.loss_bad) != (0.0, 1.0):
-        raise ScenarioError("channel.burst must have loss_good = 0 and loss_bad = 1 where a session emulates it")
+        raise ScenarioError("for a session to emulate channel.burst, it must have loss_good = 0 and loss_bad = 1")
     return {
         other: PathLaw(
             delay=float(scenario.network.delay[other, slot]),

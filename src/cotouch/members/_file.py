@@ -109,7 +109,9 @@ class _Whole(Table):
     def _fits(self) -> Self:
         given = self.session.model_fields_set
         if self.session.users is None and "spring" in given:
-            raise ValueError("session.spring is for sessions with session.users; with [network] give its own springs")
+            raise ValueError(
+                "session.spring is only for sessions with session.users; with [network], give the springs there"
+            )
         if self.session.links == "given":
             for name in ("link_count", "objective", "replan"):
                 if name in given:
@@ -172,8 +174,8 @@ class SessionFile:
             name = PurePosixPath(table["file"]).name
             if named.setdefault(name, table["file"]) != table["file"]:
                 raise SessionError(
-                    f'{source} names "{named[name]}" and "{table["file"]}"; they travel without their folders, so give '
-                    "them different names"
+                    f'{source} names "{named[name]}" and "{table["file"]}"; files are sent without their folders, so '
+                    "give them different names"
                 )
             files[name] = read_bytes((folder or Path()) / table["file"], "file", SessionError, MOST_BYTES)
         scenario, options = _made(tables, source, folder)
@@ -273,7 +275,9 @@ def _described(content: bytes) -> dict[str, Any]:
     except (ValueError, KeyError, TypeError, AssertionError):
         fine, described = False, {}
     if not fine:
-        raise SessionError(f"the session's description is not one ({len(content)} bytes); it may be of another version")
+        raise SessionError(
+            f"the session description cannot be read ({len(content)} bytes); it may be from another version"
+        )
     return described
 
 
@@ -344,16 +348,17 @@ def _live(scenario: Scenario, source: str) -> None:
     sync = scenario.synchronisation
     if sync.damping is not None and sync.damping != "rule":
         raise ScenarioError(
-            f'{source}: synchronisation.damping is {sync.damping!r}; live it is "rule", with the ages that are '
-            "measured, or left out"
+            f'{source}: synchronisation.damping is {sync.damping!r}; in a session it must be "rule", with the ages '
+            "that are measured, or left out"
         )
     if sync.damping_scale < 1.0:
         raise ScenarioError(
-            f"{source}: synchronisation.damping_scale is {sync.damping_scale}; below 1 nothing is passive, use 1"
+            f"{source}: synchronisation.damping_scale is {sync.damping_scale}; below 1 nothing is guaranteed to be "
+            f"passive; use 1"
         )
     if scenario.contact.texture is not None and scenario.contact.texture.file is not None:
         raise ScenarioError(
-            f"{source}: contact.texture.file is given, but members read no pictures of others; give heights"
+            f"{source}: contact.texture.file is given, but members do not read image files of others; give heights"
         )
     if scenario.steps.random is not None:
-        raise ScenarioError(f"{source}: steps.random is given; live peers keep a period or a rate")
+        raise ScenarioError(f"{source}: steps.random is given; in a session, give a period or a rate")

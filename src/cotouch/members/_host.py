@@ -110,7 +110,7 @@ class Host:
                 try:
                     self._keep(self._belief.chain[0])
                 except OutputError as error:
-                    self.watch.events.append(SessionEvent(now, f"ALARM: the roster cannot be kept: {error}"))
+                    self.watch.events.append(SessionEvent(now, f"ALARM: the roster cannot be saved: {error}"))
         if self._coordinator.due(now):
             self._control.send("roster", write(Decided(chain=list(self._belief.chain))))
 

@@ -35,7 +35,7 @@ def check_live(name: str, what: str) -> None:
         return
     fit = ", ".join(f'"{known}"' for known, law in laws().items() if law.live)
     raise ScenarioError(
-        f'{what} is "{name}"; live it is "spring", or one of those that are passive by themselves and bound what a '
+        f'{what} is "{name}"; a live session needs "spring", or a law that is passive by itself and bounds what a '
         f"neighbour may do: {fit}"
     )
 
@@ -84,26 +84,28 @@ def check_law(scenario: Scenario, session: Mapping[str, Any], source: str) -> No
     check_live(name, f"{source}: synchronisation.law")
     if sync.mode != "freshest":
         raise ScenarioError(
-            f'{source}: synchronisation.mode is "{sync.mode}"; with law "{name}" it must be "freshest", for messages '
-            "of laws go with the newest sample"
+            f'{source}: synchronisation.mode is "{sync.mode}"; with law "{name}" it must be "freshest", because '
+            "a law's messages travel with the newest sample"
         )
     if sync.damping is not None:
         raise ScenarioError(
-            f'{source}: synchronisation.damping is "{sync.damping}", which only law "spring" needs live; with law '
-            f'"{name}" leave it out'
+            f'{source}: synchronisation.damping is "{sync.damping}", which only law "spring" uses in a live session; '
+            f'with law "{name}", leave it out'
         )
     coarse = session.get("encoding", "float64")
     if coarse != "float64":
         raise ScenarioError(
-            f'{source}: session.encoding is "{coarse}"; with law "{name}" it must be "float64", for sums that only '
-            "grow need all their digits"
+            f'{source}: session.encoding is "{coarse}"; with law "{name}" it must be "float64", because sums that '
+            "keep growing need full precision"
         )
     for option in options_of_springs(session):
         raise ScenarioError(
-            f'{source}: session.{option} is {session[option]}, which only guarded links of law "spring" have; with law '
-            f'"{name}" leave it out'
+            f'{source}: session.{option} is {session[option]}, which applies only to guarded links of law "spring"; '
+            f'with law "{name}", leave it out'
         )
     if scenario.network.weights:
-        raise ScenarioError(f'{source}: links have weights, which live only law "spring" can do, not "{name}"')
+        raise ScenarioError(
+            f'{source}: links have weights, which in a live session only law "spring" supports, not "{name}"'
+        )
     if FORCE in given:
-        raise ScenarioError(f"{source}: law.{FORCE} is given; live it is session.force_limit")
+        raise ScenarioError(f"{source}: law.{FORCE} is given; in a live session, set session.force_limit instead")

@@ -366,7 +366,7 @@ class Member:
             self._coordinator.adopt(roster, now)
         own = self._control.identity.public.hex()
         if own in roster.banned:
-            raise SessionError(f"the host sent {self._asking.request.name} away from this session")
+            raise SessionError(f"the host expelled {self._asking.request.name} from this session")
         banned = frozenset(map(bytes.fromhex, roster.banned))
         if banned != self._banned:
             self._banned = banned

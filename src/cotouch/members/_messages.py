@@ -149,21 +149,21 @@ class Roster(Table):
     def _whole(self) -> Self:
         slots = [entry.slot for entry in self.members]
         if sorted(set(slots)) != slots:
-            raise ValueError("slots are not in order, or one is there twice")
+            raise ValueError("slots are not in order, or one occurs twice")
         if any(not a < b or a not in slots or b not in slots for a, b in self.links):
-            raise ValueError("a link is none of two who are there")
+            raise ValueError("a link is not between two users who are present")
         if sorted(set(self.links)) != self.links:
-            raise ValueError("links are not in order, or one is there twice")
+            raise ValueError("links are not in order, or one occurs twice")
         said = [(entry.name, entry.key) for entry in (*self.names, *self.members)]
         owners = set(said)
         if len({name for name, _ in owners}) < len(owners) or len({key for _, key in owners}) < len(owners):
             raise ValueError("a name has two keys, or a key two names")
         if len({entry.key for entry in self.members}) < len(slots) or len(set(self.names)) < len(self.names):
-            raise ValueError("a key or a name is there twice")
+            raise ValueError("a key or a name occurs twice")
         if len({gone.key for gone in self.former}) < len(self.former):
-            raise ValueError("somebody went twice")
+            raise ValueError("a member left twice")
         if {entry.key for entry in self.members} & set(self.banned):
-            raise ValueError("somebody is there who was sent away")
+            raise ValueError("a member is present who was expelled")
         return self
 
     def owners(self) -> dict[str, str]:

@@ -93,8 +93,8 @@ class SessionRecorder:
                 version=f"cotouch {__version__}",
                 columns={
                     "stiffness_scale": ("1", "share of K that the copy carries"),
-                    "rescaled": ("J", "what the copy's energy changed by before the step, as members came and went"),
-                    ADVANCED: ("J", "what the links' tanks got of the newcomer's allowance after the step"),
+                    "rescaled": ("J", "change of the copy's energy before the step, as members joined and left"),
+                    ADVANCED: ("J", "what the links' tanks received of the newcomer's allowance after the step"),
                     **({} if self._law is not None else GUARDS),
                     **EXCHANGE,
                     **({} if self._codec is None else {SAID: HOW_SAID}),
@@ -104,7 +104,7 @@ class SessionRecorder:
                 self._recorder = Recorder(self._file, header, waits=self._waits)
             except RecordingError as error:
                 self._refused = getattr(error.__cause__, "strerror", None) or str(error)
-                self.trouble = f"was not begun: {self._refused}"
+                self.trouble = f"was not started: {self._refused}"
                 return
             if peer.cuts is not None and peer.cuts.by.any():  # of a recording that begins later
                 gone = np.flatnonzero(peer.cuts.by)

@@ -87,19 +87,19 @@ def follows(before: Roster, after: Roster) -> str | None:
         after: the roster it was made into.
     """
     if not before.epoch < after.epoch <= before.epoch + LAST_EPOCH // 2:
-        return "its number does not follow"
+        return "its number is not the next one"
     if before.banned != after.banned:
-        return "only the host sends somebody away, or lets them in again"
+        return "only the host may expel members or readmit them"
     if not before.owners().items() <= after.owners().items():
-        return "it forgets whose a name is, or gives it to another"
+        return "it drops the owner of a name, or gives the name to another"
     had, has = before.slots(), after.slots()
     if any(not slots <= has.get(key, set()) for key, slots in had.items()):
-        return "it forgets in which slot somebody was"
+        return "it drops the slot in which a member was"
     if before.former != after.former:
-        return "only the host gives up whose a name is"
+        return "only the host may release a name"
     slots = {entry.key: entry.slot for entry in after.members}
     if any(slots.get(entry.key, entry.slot) != entry.slot for entry in before.members):
-        return "it moves somebody to another slot"
+        return "it moves a member to another slot"
     return None
 
 
@@ -279,5 +279,5 @@ class Belief:
             if new.slot != entry.slot or new.name != entry.name:
                 return f"it changes the slot or the name of {entry.name}, who is here"
             if entry.key == self._own and entry.start == self._start and new.start != self._start:
-                return "it gives this member's place to another start of it"
+                return "it gives this member's slot to another run of this member"
         return None

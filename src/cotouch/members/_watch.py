@@ -163,7 +163,7 @@ class SessionWatch:
         """Says once why whoever decides is not believed."""
         complaint = self._belief.complaint
         if complaint is not None and complaint != self._complained:
-            self.events.append(SessionEvent(now, f"ALARM: a roster is not believed: {complaint}"))
+            self.events.append(SessionEvent(now, f"ALARM: a roster was rejected: {complaint}"))
         self._complained = complaint
 
     def paths(self) -> dict[Pair, float]:
@@ -185,15 +185,17 @@ class SessionWatch:
             was = before.get(link.slot)
             other = self.roster.by_slot().get(link.slot)
             if other is not None and was != link.state and "coupled" in (was, link.state):
-                told = {"coupled": "coupled with", "waiting": "hears nothing from"}.get(
-                    link.state, "guards itself from"
+                told = {"coupled": "coupled with", "waiting": "receives nothing from"}.get(
+                    link.state, "guards its link to"
                 )
                 self.events.append(SessionEvent(now, f"{entry.name} {told} {other.name}"))
             if other is not None and link.asked is not None and link.slot not in beyond:
                 asked, granted = f"{link.asked:.3g} s", f"{link.budget or 0.0:.3g} s"
                 self.events.append(
                     SessionEvent(
-                        now, f"{other.name} asks {entry.name} for damping for samples {asked} old; it gets {granted}"
+                        now,
+                        f"{other.name} asks {entry.name} for damping for samples up to {asked} old; {granted} is "
+                        f"granted",
                     )
                 )
         self.left |= seen.status is not None and status.steps < seen.status.steps

@@ -52,7 +52,7 @@ def gmsh_1(path: Path) -> Mesh:
     text = path.read_bytes()
     nodes = _section(text, b"NOD", b"ENDNOD")
     if (len(nodes) - 1) % 4 or len(nodes) != 1 + 4 * int(nodes[0]):
-        raise ValueError(f"it says that it has {int(nodes[0])} nodes, and holds {(len(nodes) - 1) // 4}")
+        raise ValueError(f"it claims {int(nodes[0])} nodes but has only {(len(nodes) - 1) // 4}")
     table = np.array(nodes[1:], dtype=np.float64).reshape(-1, 4)
     numbers = table[:, 0].astype(np.int64)
     order = np.argsort(numbers)
@@ -62,7 +62,7 @@ def gmsh_1(path: Path) -> Mesh:
     at = 1
     for _ in range(int(words[0])):
         if at + 5 > words.size or words[at + 4] < 1 or at + 5 + words[at + 4] > words.size:
-            raise ValueError(f"it says that it has {int(words[0])} elements, and ends before")
+            raise ValueError(f"it claims {int(words[0])} elements but ends earlier")
         corners = words[at + 5 : at + 5 + words[at + 4]]
         if words[at + 1] == _TETRAHEDRON:
             elements.append(corners)
@@ -90,7 +90,7 @@ def _places(numbers: Long, order: Long, wanted: Long) -> Long:
     at = np.searchsorted(numbers, wanted, sorter=order)
     places = order[np.minimum(at, order.size - 1)]
     if (numbers[places] != wanted).any():
-        raise ValueError("an element has a node that there is not")
+        raise ValueError("an element refers to a node that does not exist")
     return places
 
 
@@ -120,7 +120,7 @@ def polydata(path: Path) -> Mesh:
                 triangles += [strip(corners) for corners in _lists(file, packed, words)]
     found = np.concatenate(triangles) if triangles else np.zeros((0, 3), dtype=np.int64)
     if found.size and (found.min() < 0 or found.max() >= len(points)):
-        raise ValueError("a triangle has a point that there is not")
+        raise ValueError("a triangle refers to a point that does not exist")
     return Mesh(points=points, elements=found)
 
 

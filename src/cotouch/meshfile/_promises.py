@@ -53,7 +53,7 @@ def check(path: Path, what: str, option: str, most: int) -> Promise:
     packed = path.suffix.lower() == ".vtu" or (path.suffix.lower() == ".vtk" and vtk_kind(path) == "XML")
     if not packed and numbers > size:
         raise BodyError(
-            f"cannot be read as {path.suffix[1:].upper()}: it says that it has {said.points or 0} points and "
+            f"cannot be read as {path.suffix[1:].upper()}: it claims {said.points or 0} points and "
             f"{said.elements or 0} {what}, but has only {size} bytes"
         )
     return said

@@ -41,7 +41,7 @@ def read(path: Path, most: int) -> Mesh:
     points, triangles = (_vtk if path.suffix.lower() == ".vtk" else _by_library)(path)
     if triangles.shape[0] == 0:
         if points.shape[0] == 0:
-            raise ValueError("there is no mesh in it")
+            raise ValueError("it contains no mesh")
         raise BodyError(f"has {points.shape[0]} points but no triangles; it must be a surface mesh")
     if triangles.shape[0] > most:
         raise too_many(triangles.shape[0], "triangles", "most_triangles", most)
@@ -82,11 +82,11 @@ def _stl(file: BinaryIO) -> BinaryIO:
         count, held = int.from_bytes(head[80:84], "little"), max(file.seek(0, 2) - 84, 0) // 50
         file.seek(0)
         if held < count:
-            raise ValueError(f"it says that it has {count} triangles, and has bytes for {held}")
+            raise ValueError(f"it claims {count} triangles but has bytes for only {held}")
         return io.BytesIO(file.read(84 + 50 * count))
     text = re.sub(rb"(?i)\bend[ \t]+(solid|facet|loop)\b", rb"end\1", file.read())
     if re.search(rb"(?i)\bendsolid\b", text[-_HEAD:]) is None:
-        raise ValueError("it ends before its solid does")
+        raise ValueError("it ends before its solid is complete")
     return io.BytesIO(text)
 
 
@@ -105,5 +105,5 @@ def _strips(file: BinaryIO) -> tuple[Float, Long]:
     parts = [strip(part[part >= 0]) for part in np.split(flat, np.flatnonzero(flat < 0))]
     triangles = np.concatenate(parts)
     if triangles.size and triangles.max() >= len(points):
-        raise ValueError("a strip has a point that there is not")
+        raise ValueError("a strip refers to a point that does not exist")
     return points, triangles

@@ -50,7 +50,7 @@ def read(path: Path, most: int) -> Mesh:
     corners = {"tetra": 4, "tetra10": 10}
     for kind, data in blocks:
         if kind in corners and (data.ndim != 2 or data.shape[1] != corners[kind]):
-            raise ValueError(f"its {kind} cells have no {corners[kind]} corners each")
+            raise ValueError(f"its {kind} cells do not have {corners[kind]} corners each")
     if points.ndim != 2 or points.shape[1] != 3:
         raise ValueError(f"its points are {' x '.join(map(str, points.shape))}, not P x 3")
     notes: list[str] = []
@@ -63,7 +63,7 @@ def read(path: Path, most: int) -> Mesh:
     volumes = {kind for kind in others if kind.startswith(("hexahedron", "wedge", "pyramid"))}
     if volumes:
         held = ", ".join(f"{others[kind]} {kind}" for kind in sorted(volumes))
-        raise BodyError(f"has {held} beside its tetrahedra; every solid cell must be a tetrahedron")
+        raise BodyError(f"has {held} besides its tetrahedra; every solid cell must be a tetrahedron")
     if any(kind == "tetra10" for kind, _ in blocks):
         notes.append("Quadratic tetrahedra are used by their corners only.")
     return _checked(Mesh(points=points, elements=np.concatenate(solid), sets=sets, notes=tuple(notes)), most)

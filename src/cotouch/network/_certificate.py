@@ -26,12 +26,13 @@ _COVERS: dict[Basis | Literal["exact"], tuple[str, tuple[Mode, ...]]] = {
         ("constant", "freshest"),
     ),
     "index": (
-        "constant indexing delays with every user's step changing freely up to its declared longest one, fixed or "
+        "constant indexing delays with every user's step changing freely up to the declared maximum, fixed or "
         "self-paced; not the freshest sample",
         ("constant", "self-paced"),
     ),
     "exact": (
-        "constant indexing delays with one constant step common to all users, nothing else: no jitter, no own rates",
+        "constant indexing delays with one constant step common to all users, nothing else: no jitter, no individual "
+        "rates",
         ("constant",),
     ),
 }

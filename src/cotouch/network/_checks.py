@@ -48,7 +48,7 @@ def two_users(users: Sequence[str], i: int, j: int) -> str:
 def check_users(users: Iterable[str]) -> tuple[str, ...]:
     """Names of the users: at least one, none empty, no two alike."""
     if isinstance(users, str):
-        raise NetworkError(f'users is the text "{users}"; it must be a list of names, one for each user')
+        raise NetworkError(f'users is the string "{users}"; it must be a list of names, one for each user')
     try:
         names = tuple(users)
     except TypeError:
@@ -57,12 +57,10 @@ def check_users(users: Iterable[str]) -> tuple[str, ...]:
         raise NetworkError("users is empty; a network has at least one user")
     for i, name in enumerate(names):
         if not isinstance(name, str) or not name.strip():  # pyright: ignore[reportUnnecessaryIsInstance]
-            raise NetworkError(
-                f"users: the name of user {user_number(i)} is {name!r}; it must be a text that is not empty"
-            )
+            raise NetworkError(f"users: the name of user {user_number(i)} is {name!r}; it must be a non-empty string")
         if printable(name) != name:
             raise NetworkError(
-                f"users: the name of user {user_number(i)} is {name!r}; it must be one line of letters that can be seen"
+                f"users: the name of user {user_number(i)} is {name!r}; it must be one line of printable characters"
             )
         if name in names[:i]:
             first = user_number(names.index(name))
@@ -120,7 +118,7 @@ def check_springs(users: tuple[str, ...], spring: npt.ArrayLike, weight: npt.Arr
         return Springs(strength, weights, weight_of)
     if matrix.ndim == 4 and matrix.shape[:2] == (size, size) and matrix.shape[2] == matrix.shape[3] > 0:
         if weight is not None:
-            raise NetworkError("weight is given together with a matrix for every spring; give one of the two")
+            raise NetworkError("weight is given together with a matrix for every spring; give only one of them")
         return _matrix_springs(users, matrix)
     raise NetworkError(
         f"spring is {_shape(matrix)}; for {size} users it must be {size} x {size}, or {size} x {size} x r x r with one "

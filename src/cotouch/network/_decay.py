@@ -99,7 +99,9 @@ def rightmost_root(
         if certain:
             break
     if not certain:
-        raise UnsupportedError("the roots of the closed loop are too crowded to tell the rightmost one for certain")
+        raise UnsupportedError(
+            "the roots of the closed loop are too close together to identify the rightmost one reliably"
+        )
     root = complex(root)
     _, sizes, right = np.linalg.svd(characteristic(loop, root))
     terms = np.max(abs(root) ** 2 * loop.mass + abs(root) * loop.drag + loop.rigid)
@@ -148,7 +150,7 @@ def closed_loop(
         )
     if any(network.weight_of[i, j] >= 0 for i, j in network.links):
         raise UnsupportedError(
-            "springs have weights; the decay of one body mode needs scalar springs: use the mode's own"
+            "springs have weights; the decay of one body mode needs scalar springs; use those of the mode"
         )
     spring = network.linked_spring()
     if sync_damping is None:

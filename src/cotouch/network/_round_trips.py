@@ -27,7 +27,9 @@ def read_round_trips(path: str | Path) -> tuple[tuple[str, ...], Float]:
     text = read_text(source, "table of round trips", NetworkError)
     rows = [row for row in csv.reader(text.splitlines(), skipinitialspace=True) if row]
     if len(rows) < 2:
-        raise NetworkError(f"{source} has no round trips; its first row and column are names, its fields are ms")
+        raise NetworkError(
+            f"{source} has no round trips; its first row and column must be names, its fields times in ms"
+        )
     names = [name.strip() for name in rows[0][1:]]
     if len(names) > _MOST_USERS:
         raise NetworkError(f"{source} names {len(names)} users; it may name at most {_MOST_USERS}")
@@ -35,7 +37,9 @@ def read_round_trips(path: str | Path) -> tuple[tuple[str, ...], Float]:
         raise NetworkError(f"{source}: the first row and the first column must hold the same names in the same order")
     for name in names:
         if not name or names.count(name) > 1:
-            raise NetworkError(f'{source}: the name "{name}" is empty or there twice; each user needs one of its own')
+            raise NetworkError(
+                f'{source}: the name "{name}" is empty or occurs twice; every user needs a different name'
+            )
     table = np.full((len(names), len(names)), math.nan)
     for i, row in enumerate(rows[1:]):
         if len(row) != len(names) + 1:

@@ -27,7 +27,7 @@ def connected_graphs(network: Network, *, links: int) -> Iterator[tuple[Pair, ..
     most, least = len(possible.links), network.size - 1
     if not possible.is_connected():
         raise NetworkError(
-            "spring leaves the users in separate groups whatever is linked; give more pairs a spring above 0"
+            "spring leaves the users in separate groups, whichever links are chosen; give more pairs a spring above 0"
         )
     if not least <= links <= most:
         raise NetworkError(

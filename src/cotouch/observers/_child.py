@@ -71,9 +71,7 @@ class ChildCall(Generic[R]):
             return pickle.load(self._out)  # noqa: S301  written by our own process
         except (EOFError, pickle.UnpicklingError):
             code = self._process.returncode
-            raise SessionError(
-                f"a process that worked something out ended without a result, with code {code}"
-            ) from None
+            raise SessionError(f"a worker process ended without a result, with exit code {code}") from None
         finally:
             self._out.close()
 

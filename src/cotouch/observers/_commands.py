@@ -65,7 +65,9 @@ class MoveHand(_Parts):
         Literal["script", "free", "hold", "pull", "wander", "cut", "pose"],
         Field(description="one of script, free, hold, pull, wander, cut, pose"),
     ]
-    node: Annotated[int, Field(ge=-1, lt=1 << 31, description="a node, counted from 0, or -1 for what is held")] = -1
+    node: Annotated[
+        int, Field(ge=-1, lt=1 << 31, description="a node, counted from 0, or -1 for the one that is held")
+    ] = -1
     to: Annotated[Place | None, Field(description=_NUMBERS)] = None
     at: Annotated[Place | None, Field(description=_NUMBERS)] = None
     edge: Annotated[Place | None, Field(description=_NUMBERS)] = None
@@ -82,7 +84,7 @@ class MoveHand(_Parts):
             if getattr(self, name) is None:
                 raise ValueError(f"{name} is missing; cut needs at, edge and to, 3 numbers each")
         if self.mode == "cut" and not any(self.edge or ()):
-            raise ValueError("edge is of no length; it must lead from one end of the blade's edge to the other")
+            raise ValueError("edge has no length; it must lead from one end of the blade's edge to the other")
         return self
 
 
@@ -124,7 +126,7 @@ class Impair(_OfPath):
     @model_validator(mode="after")
     def _changes_something(self) -> Self:
         if not self.changes():
-            raise ValueError("nothing is named; name delay, jitter or loss")
+            raise ValueError("nothing is given; give delay, jitter or loss")
         return self
 
     def changes(self) -> dict[str, float]:

@@ -36,7 +36,7 @@ class Jobs:
         try:
             return future.result(_PATIENCE)
         except TimeoutError:
-            raise SessionError(f"it was not done within {_PATIENCE:.0f} s; the session is busy or over") from None
+            raise SessionError(f"it did not finish within {_PATIENCE:.0f} s; the session is busy or over") from None
 
     def turn(self) -> None:
         """Does what was asked for."""

@@ -63,11 +63,11 @@ class LoweredDamping:
         for name in self._names:
             # Others may have been caught by an earlier order a moment after the first was.
             if self._commands.number(name, "caught") == self._ordered:
-                self._say(now, f"ALARM: {name}'s copy ran away; everybody's damping is back")
+                self._say(now, f"ALARM: {name}'s copy ran away; everyone's damping is restored")
                 self.give(1.0)
                 return
         if now <= self._lease:
             self._commands.hold_damping(self._lease)
             return
         self.give(1.0)
-        self._say(now, "whoever lowered the damping is gone: it is what passivity needs again")
+        self._say(now, "the page that lowered the damping is gone; damping is restored to what passivity needs")

@@ -69,13 +69,13 @@ class RecordingClient:
         if on:
             if self._now.state in {"on", "ending"}:
                 raise SessionError(
-                    "a recording is under way already"
+                    "a recording is already under way"
                     if self._now.state == "on"
-                    else "the recording before is still being finished; try again in a moment"
+                    else "the previous recording is still being finished; try again in a moment"
                 )
             asked = {name for name in self._names if self._moves(name)}
             if not asked:
-                raise SessionError("nobody moves yet, so there is nothing to record")
+                raise SessionError("no copy is moving yet, so there is nothing to record")
             self._number += 1
             self._asked, self._announced = asked, {}
             self._began, self._ended = now, None
@@ -85,7 +85,7 @@ class RecordingClient:
         if self._now.state != "on":
             raise SessionError("nothing is being recorded")
         self._end(now)
-        return "the recording ends; what came of it is said in a moment"
+        return "the recording is ending; the result follows in a moment"
 
     def turn(self, now: float, running: Sequence[str], *, ended: bool = False) -> None:
         """Hears what came of it.
@@ -106,7 +106,7 @@ class RecordingClient:
         late = now - self._ended > _PATIENCE
         for name in sorted(self._asked - self._announced.keys()) if late else ():
             self._announced[name] = None
-            self._trouble(now, f"{name}'s was not finished within {_PATIENCE:.0f} s; it is cut off")
+            self._trouble(now, f"{name}'s was not finished within {_PATIENCE:.0f} s and is cut off")
         if self._asked <= self._announced.keys():
             self._finish(now)
 
@@ -129,8 +129,8 @@ class RecordingClient:
             for path in self._ready:
                 shutil.move(path, folder / path.name)
         except OSError as error:
-            return f"the last recording was not fetched and could not be kept: {error.strerror or error}"
-        return f"the last recording was not fetched from the page; it is in {folder}"
+            return f"the last recording was not downloaded and could not be saved: {error.strerror or error}"
+        return f"the last recording was not downloaded from the page; it is in {folder}"
 
     def _moves(self, name: str) -> bool:
         return self._commands.number(name, "step") > 0
@@ -150,7 +150,7 @@ class RecordingClient:
                 self._trouble(now, f"{name}'s {outcome.trouble}")
         elif name in self._asked and name not in self._announced and not running:
             self._announced[name] = None
-            self._trouble(now, f"{name}'s is cut off, because the process ended")
+            self._trouble(now, f"{name}'s is cut off because the process ended")
 
     def _trouble(self, now: float, text: str) -> None:
         self.troubles.append(f"recording {self._number} from the page: {text}")
@@ -179,7 +179,7 @@ class RecordingClient:
         else:
             text = "nothing was recorded"
             if not self._now.troubles:
-                self._trouble(now, "nobody left a file")
+                self._trouble(now, "no user left a file")
         self._ended = None
         named = tuple((path.name, size) for path, size in files)
         self._now = self._now._replace(state="done" if files else "failed", text=text, files=named)

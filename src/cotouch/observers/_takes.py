@@ -83,7 +83,7 @@ class Takes:
         try:
             self.session_recorder = self._make(number)
         except RecordingError as error:
-            self._tell(0, f"was not begun: {getattr(error.__cause__, 'strerror', None) or error}")
+            self._tell(0, f"was not started: {getattr(error.__cause__, 'strerror', None) or error}")
             return
         self.session_recorder.setup(copy, now)
         self._fields["recording"][()] = number
@@ -96,7 +96,7 @@ class Takes:
             self._closing.join()
         if not self._closing.is_alive():
             session_recorder, self._closing, self._closed = self._closed, None, None
-            none = None if session_recorder.steps else "has no step: the copy took none meanwhile"
+            none = None if session_recorder.steps else "has no steps: the copy took none in that time"
             self._tell(session_recorder.recorded, session_recorder.trouble or none)
 
     def _tell(self, steps: int, trouble: str | None) -> None:

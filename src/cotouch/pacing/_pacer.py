@@ -132,7 +132,7 @@ class Pacer:
         if not 0.0 < period < math.inf:
             raise SessionError(f"period is {period:g} s; it must be a time > 0")
         if not cap >= period:
-            raise SessionError(f"cap is {cap:g} s; no step could be as long as the period, {period:g} s")
+            raise SessionError(f"cap is {cap:g} s; it must be at least the period, {period:g} s")
         if not 0.0 <= spin < math.inf:
             raise SessionError(f"spin is {spin:g} s; it must be a time >= 0")
         self._period = period

@@ -66,7 +66,7 @@ class CutSet:
             NetworkError: it is of another body.
         """
         if by.shape != self.by.shape:
-            raise NetworkError(f"cuts of {by.size} elements are told, but this body has {self.by.size}")
+            raise NetworkError(f"the cuts are of {by.size} elements, but this body has {self.by.size}")
         np.copyto(self._heard, by, where=by != 0)
 
     def begin(self, contact: Contact | None) -> None:

@@ -65,7 +65,7 @@ def joined(
     mixed = [bool(np.any(mix)) for mix in operator.mix[WEIGHTS:]]
     laws = [source for source in sources if isinstance(source, LawLink)]
     if laws and (len(laws) < count or any(mixed[w] for w in weight)):
-        raise NetworkError("links with a law and links without one, or with weights that couple rows, do not mix")
+        raise NetworkError("links with a law and links without one, or with weights that couple rows, cannot be mixed")
     links = Links(
         strength=np.array(strength, dtype=np.float64),
         weight=np.asarray(weight, dtype=np.int32),

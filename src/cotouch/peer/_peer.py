@@ -193,7 +193,9 @@ class Peer:
             NetworkError: it is a neighbour already, or there is no such weight.
         """
         if neighbour in self.neighbours or neighbour == self.index:
-            raise NetworkError(f"user index {neighbour} is linked to user index {self.index} already; disconnect it")
+            raise NetworkError(
+                f"user index {neighbour} is already linked to user index {self.index}; disconnect it first"
+            )
         self._joined.connect(self.state.position, neighbour, link, strength=strength, weight=weight)
 
     def disconnect(self, neighbour: int) -> None:
@@ -212,7 +214,7 @@ class Peer:
         wanted = np.asarray(coefficients, dtype=np.float64)
         if wanted.shape != self._local.shape or not np.all((wanted >= 0.0) & (wanted < np.inf)):
             raise NetworkError(
-                f"local damping is {wanted.tolist()}; it takes {self._local.size} finite coefficients of at least 0"
+                f"local damping is {wanted.tolist()}; it must be {self._local.size} finite coefficients of at least 0"
             )
         self._local[:] = wanted
 

@@ -38,7 +38,7 @@ def modes_of(body: Body) -> dict[str, Float]:
         operator = model(body).operator if body.truncation is not None else model(body, basis="modal").operator
     except UnsupportedError:
         raise UnsupportedError(
-            "the body has no modes that move by themselves: its mass, damping, stiffness and the springs between "
+            "the body has no independent modes: its mass, damping, stiffness and the springs between "
             f"users are not diagonal in one basis; {remedy}"
         ) from None
     assert not any(mixed(operator, q) for q in range(WEIGHTS + 1))

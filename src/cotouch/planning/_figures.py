@@ -131,7 +131,8 @@ def ranks(first: tuple[str, npt.ArrayLike], second: tuple[str, npt.ArrayLike]) -
     values = [np.asarray(entry, dtype=np.float64).ravel() for _, entry in (first, second)]
     if values[0].size != values[1].size:
         raise NetworkError(
-            f"{names[0]} has {values[0].size} values and {names[1]} has {values[1].size}; there must be as many"
+            f"{names[0]} has {values[0].size} values and {names[1]} has {values[1].size}; both must have the same "
+            f"number"
         )
     known = ~(np.isnan(values[0]) | np.isnan(values[1]))
     values = [entry[known] for entry in values]
@@ -208,7 +209,7 @@ def knee(
     if not count.size or not count.size == values[0].size == values[1].size == sure.size:
         raise NetworkError(
             f"links, objective, cost and proved have {count.size}, {values[0].size}, {values[1].size} and {sure.size} "
-            "entries; there must be equally many, at least one"
+            "entries; all must have the same number, at least one"
         )
     for name, number in (("chosen", chosen), ("bend", bend)):
         if number is not None and number not in count:

@@ -162,9 +162,7 @@ def plan_springs(
     if not known:  # not even the first was begun, or none can be brought within the limit
         any(tuned(network.with_links(choice.links), 0) for choice in ranked.top)
     if not known:
-        raise NetworkError(
-            f"no choice of {links} links can be brought within damping_limit {damping_limit:g} Ns/m; raise it"
-        )
+        raise NetworkError(f"no choice of {links} links can meet damping_limit {damping_limit:g} Ns/m; raise it")
     best, places = ahead()[0], [choice.links for choice in ranked.top]
     joint = Joint(known[best], places.index(best) + 1 if best in places else None, len(known), ranked)
     if asked[0]:

@@ -306,8 +306,8 @@ def _at_least(problem: Problem, fallback: Long | None, asked: Flag) -> tuple[Lon
     check()
     if value is None:
         raise UnsupportedError(
-            f"the {problem.objective} of no choice of {problem.links} links could be told for certain; give the search "
-            "more time"
+            f"the {problem.objective} of no choice of {problem.links} links could be determined reliably; give "
+            "the search more time"
         )
     return fallback, value
 

@@ -177,7 +177,7 @@ def make_problem(
     sync = _sync(sync_damping, network.size)
     if sync.size and damping_limit is not None and sync.max() > damping_limit:
         raise NetworkError(
-            f"sync_damping holds {sync.max():g} Ns/m but damping_limit is {damping_limit:g} Ns/m; lower the one or "
+            f"sync_damping holds {sync.max():g} Ns/m but damping_limit is {damping_limit:g} Ns/m; lower one or "
             "raise the other"
         )
     needed, barred = (
@@ -186,14 +186,14 @@ def make_problem(
     )
     for a, b in sorted(needed & barred):
         raise NetworkError(
-            f"the link {_name(network, a, b)} is both in require and in forbid; it can be in one of them"
+            f"the link {_name(network, a, b)} is both in require and in forbid; remove it from one of them"
         )
     allowed = every.with_links([link for link in every.links if link not in barred])
     most = _most_degree(max_degree, allowed.size)
     _check_counts(allowed, links, needed, most, bool(barred))
     if objective in ("decay", "feel") and any(network.weight_of[i, j] >= 0 for i, j in allowed.links):
         raise UnsupportedError(
-            f"springs have weights; the {objective} of one body mode needs scalar springs: use the mode's own"
+            f"springs have weights; the {objective} of one body mode needs scalar springs; use those of the mode"
         )
     heaviest = max(allowed.links, key=lambda link: allowed.spring[link])
     if allowed.spring[heaviest] > _STIFFEST:
@@ -344,7 +344,7 @@ def _check_counts(network: Network, links: int, needed: set[Pair], most: int, ba
     if not network.is_connected():
         cause = "spring and forbid leave" if barred else "spring leaves"
         remedy = "forbid fewer links" if barred else "give more pairs a spring above 0"
-        raise NetworkError(f"{cause} the users in separate groups whatever is linked; {remedy}")
+        raise NetworkError(f"{cause} the users in separate groups, whichever links are chosen; {remedy}")
     if not least <= links <= possible:
         raise NetworkError(
             f"links is {links}; to connect {network.size} users with {possible} possible links it must be "

@@ -51,9 +51,7 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
             recordings[at] = recording.first_steps(recording.finite)
     offsets, corrected = align(recordings)
     if corrected:
-        notes.append(
-            "the machines' Unix times cannot both be right; clocks are laid side by side by the ages of samples"
-        )
+        notes.append("the machines' Unix times contradict each other, so clocks were aligned by the ages of samples")
     notes += too_young(recordings, offsets) + closing_words(recordings)
     moved = motions(recordings, offsets)
     grid = grid_of(moved)
@@ -77,7 +75,7 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
     margin = supply + initial + members + sum(m.depth for m in moved)
     least = int(np.argmin(margin))
     if margin[least] < -allowed and not absent_users(recordings):
-        words = f"users got {-margin[least]:.4g} J more out of the network than they had put in"
+        words = f"users took {-margin[least]:.4g} J more out of the network than they had put in"
         found.append(_of_network(float(-margin[least]), float(grid[least]) - start, words))
     # Guarded ends may spend what they were given once, and what the body's own damping took.
     spare = allowed + sum(
@@ -90,8 +88,8 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
         have = _least_damping(ledger.recording)
         if sum(need.values()) > have * (1.0 + 1e-9) and not _guarded(ledger):  # a guard judges every sample by itself
             notes.append(
-                f"the damping of {ledger.recording.name} was {have:.4g} Ns/m; the age rule asks for "
-                f"{sum(need.values()):.4g} Ns/m with the ages that there were"
+                f"the damping of {ledger.recording.name} was {have:.4g} Ns/m; the age rule requires "
+                f"{sum(need.values()):.4g} Ns/m for the ages that occurred"
             )
     return Audit(
         users=tuple(_user(m, sum(need.values())) for m, need in zip(moved, asked, strict=True)),
@@ -119,8 +117,8 @@ def _belong(recordings: Sequence[Recording]) -> None:
     for other in recordings[1:]:
         if other.header.session != first.header.session:
             raise RecordingError(
-                f"{other.path} is of session {other.header.session!r}, {first.path} of {first.header.session!r}; give "
-                "recordings of one session"
+                f"{other.path} is from session {other.header.session!r}, {first.path} from {first.header.session!r}; "
+                "give recordings of one session"
             )
         same = other.header.body, first.header.body
         own, others = (body.material for body in same)
@@ -128,12 +126,14 @@ def _belong(recordings: Sequence[Recording]) -> None:
         if not alike or any(
             not np.array_equal(*(getattr(body, part).data for body in same)) for part in ("mass", "stiffness")
         ):
-            raise RecordingError(f"{other.path} is of another body than {first.path}; give recordings of one session")
+            raise RecordingError(
+                f"{other.path} is of a different body from {first.path}; give recordings of one session"
+            )
     for one, two in pairwise(recordings):
         again = one.header.key and two.header.key and one.header.key != two.header.key
         if one.user == two.user and not again:
             raise RecordingError(
-                f"{one.path} and {two.path} are both of user {user_number(one.user)}; give one of them"
+                f"{one.path} and {two.path} are both of user {user_number(one.user)}; give only one of them"
             )
 
 
@@ -145,7 +145,7 @@ def _left(recording: Recording) -> AuditFinding:
     """
     row, columns = recording.finite, recording.columns
     if row == 0:
-        raise RecordingError(f"the first step of {recording.path} has numbers that are not finite")
+        raise RecordingError(f"the first step of {recording.path} has non-finite numbers")
     return AuditFinding(
         user=recording.user,
         link=None,
@@ -153,7 +153,7 @@ def _left(recording: Recording) -> AuditFinding:
         energy=float("inf"),
         time=float(columns["end"][row] - columns["end"][0] + columns["T"][0]),
         step=int(columns["index"][row]),
-        words=f"the numbers of {recording.name} are not finite any more, and nothing can be said from there on",
+        words=f"{recording.name}'s numbers are no longer finite; nothing can be judged from there on",
     )
 
 
@@ -223,7 +223,7 @@ def _links_beyond(
     result: list[AuditFinding] = []
     for ledger in over:
         one, two = (names[user] for user in ledger.ends)
-        words = f"the link of {one} and {two} made {ledger.excess:.4g} J more than its damping took"
+        words = f"the link of {one} and {two} added {ledger.excess:.4g} J more than its damping took"
         result.append(
             AuditFinding(
                 user=None,

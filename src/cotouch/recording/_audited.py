@@ -108,10 +108,10 @@ class Audit:
             more = len(self.findings) - 1
             rest = f" ({more} more {'finding' if more == 1 else 'findings'})" if more else ""
             return f"Violated: {first.words}, first at {first.time:.4g} s{rest}."
-        least = f"the least that users had put in, with what was there at the start, is {self.margin:.4g} J"
+        least = f"the energy put in by users, with what was there at the start, was never below {self.margin:.4g} J"
         if self.margin < -self.tolerance:  # by what is recorded, and not everybody is
             least = "what others put in is not recorded"
-        partly = "" if self.complete else ", in what is recorded"
+        partly = "" if self.complete else ", as far as recorded"
         return f"Holds{partly}: every step's energy is explained to {self.tolerance:.2g} J, and {least}."
 
     def numbers(self) -> dict[str, Any]:

@@ -132,7 +132,7 @@ def unpack(data: bytes) -> Batch:
         neighbours = tuple(int(user) for user in heading["neighbours"])
         described = [(str(name), str(kind), tuple(map(int, shape))) for name, kind, shape in heading["columns"]]
     except (struct.error, ValueError, KeyError, TypeError) as error:
-        raise RecordingError(f"a batch of {len(data)} bytes has no heading that can be read: {error}") from None
+        raise RecordingError(f"a batch of {len(data)} bytes has no readable header: {error}") from None
     if len(described) > _MOST_COLUMNS:
         raise RecordingError(f"a batch says it has {len(described)} columns; at most {_MOST_COLUMNS} are read")
     columns: dict[str, Array] = {}
@@ -142,7 +142,7 @@ def unpack(data: bytes) -> Batch:
             raise RecordingError(f"column {name!r} of a batch has type {kind} and shape {shape}; types are {_TYPES}")
         size = math.prod(shape) * np.dtype(kind).itemsize
         if offset + size > len(data):
-            raise RecordingError(f"column {name!r} of a batch takes {size} bytes, more than are left")
+            raise RecordingError(f"column {name!r} of a batch takes {size} bytes, more than remain")
         columns[name] = np.frombuffer(data, kind, math.prod(shape), offset).reshape(shape)
         offset += size
     steps = {

@@ -63,7 +63,7 @@ class NewFile:
         try:
             self._raw = making(path)
         except FileExistsError:
-            raise RecordingError(f"{path} exists; a recording is never written over, name another file") from None
+            raise RecordingError(f"{path} exists; recordings are never overwritten; name another file") from None
         except OSError as error:
             raise RecordingError(f"the recording {path} cannot be written: {error.strerror or error}") from error
         self.path = path

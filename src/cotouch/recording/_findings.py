@@ -17,7 +17,7 @@ from cotouch.units import user_number
 _CLOSURE_ALARM = 1e-2
 _NAMES = {
     "supplied": ("hands", "the work of the forces at the ports"),
-    "drive_work": ("hands", "the work of what pulls the proxies"),
+    "drive_work": ("hands", "the work of the forces on the proxies"),
     "body_loss": ("damping", "what the body's own dampers took"),
     "local_loss": ("damping", "what the damping B_i of the synchronisation took"),
     "extra_loss": ("damping", "what the extra damping B_e took"),
@@ -25,7 +25,7 @@ _NAMES = {
     "stored": ("state", "the energy of position and velocity"),
     "closure": ("state", "the work on the velocity that closed steps"),
     "proxies": ("proxies", "the motion of the proxies under the forces on them"),
-    "contacts": ("contacts", "what contacts and grasps hold and lose"),
+    "contacts": ("contacts", "the energy that contacts and grasps store and lose"),
 }
 
 
@@ -88,8 +88,8 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
         if name.startswith("link "):
             other = int(name.split()[1])
             words = (
-                f"the link's work on {names[recording.user]}'s copy is {_beside(total)} by the sample that "
-                f"{names.get(other, f'user {user_number(other)}')} recorded than by the ledger"
+                f"the link's work on {names[recording.user]}'s copy is {_beside(total)} according to the sample that "
+                f"{names.get(other, f'user {user_number(other)}')} recorded than according to the ledger"
             )
             add("link", difference, words, (recording.user, other))
         elif name in {"proxies", "contacts"}:
@@ -102,9 +102,7 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
     booked = residual + _explained(motion)
     # What the ledger explains and the recorded numbers don't is in one of the places above.
     if _counts(residual, tolerance) and (not found or _counts(booked, tolerance)):
-        add(
-            "step", residual, f"steps of {names[recording.user]} gained {_joule(_most(residual))} that nothing explains"
-        )
+        add("step", residual, f"steps of {names[recording.user]} gained {_joule(_most(residual))} without explanation")
     for lacking in unbalanced(recording, motion.link, motion.known["local_loss"]):
         if _counts(lacking.energy, tolerance):
             other = lacking.user
@@ -117,8 +115,8 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
         if _counts(beyond, tolerance):
             neighbour = names.get(other, f"user {user_number(other)}")
             words = (
-                f"what {names[recording.user]} told {neighbour} was further off than its damping had paid for, by "
-                f"{_joule(_most(beyond))}"
+                f"the error in what {names[recording.user]} sent to {neighbour} exceeded what its damping had paid "
+                f"for, by {_joule(_most(beyond))}"
             )
             add("codec", beyond, words, (recording.user, other))
     # Shares that rise as members leave are paid by what the copy lost.
@@ -126,11 +124,11 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
     unpaid = came - np.cumsum(motion.known["body_loss"] + motion.known["extra_loss"])
     if unpaid.max(initial=0.0) > tolerance:
         rises = np.diff(np.maximum.accumulate(np.maximum(unpaid, 0.0)), prepend=0.0)
-        words = f"{_joule(_most(rises))} came into {names[recording.user]}'s copy as members came and went, unpaid"
+        words = f"{_joule(_most(rises))} entered {names[recording.user]}'s copy unpaid as members joined and left"
         add("between steps", rises, words)
     carried = np.where(motion.members, 0.0, motion.carried)
     if _counts(carried, tolerance):
-        words = f"{_joule(_most(carried))} came into {names[recording.user]}'s copy between two of its steps"
+        words = f"{_joule(_most(carried))} entered {names[recording.user]}'s copy between two of its steps"
         add("between steps", carried, words)
     return sorted(found, key=lambda finding: -abs(finding.energy))
 
@@ -162,7 +160,7 @@ def exchanged(moved: Sequence[Motion], tolerance: float, start: float, names: di
                         energy=_most(lacks),
                         time=float(one.end[step] - start),
                         step=int(one.recording.columns["index"][step]),
-                        words=f"{taker} took {_joule(_most(lacks))} of {giver} that {giver} had not given",
+                        words=f"{taker} took {_joule(_most(lacks))} from {giver} that {giver} had not given",
                     )
                 )
     return found
@@ -179,18 +177,19 @@ def missing_words(recordings: Sequence[Recording], names: dict[int, str]) -> lis
     for recording in recordings:
         own = names[recording.user]
         if recording.cut is not None:
-            notes.append(f"the recording of {own} is {recording.cut}; it is judged up to there")
+            notes.append(f"the recording of {own} is {recording.cut}; it is judged up to that point")
         if recording.missing:
             notes.append(f"{recording.missing} steps of {own} are not recorded; what happened in them is not known")
         kept = recording.states["state_row"].size
         if kept < recording.steps:
             notes.append(
-                f"the state of {own} is kept at {kept} of {recording.steps} steps; the others are taken as booked"
+                f"the state of {own} was recorded at {kept} of {recording.steps} steps; at the others, the ledger is "
+                f"trusted"
             )
     if absent := absent_users(recordings):
         who = ", ".join(f"user {user_number(user)}" for user in absent)
         notes.append(
-            f"there is no recording of {who}; links to them are known from one end only, and whether users got out "
+            f"there is no recording of {who}; links to them are known from one end only, and whether users took out "
             "more than was put in is not known"
         )
     return notes
@@ -216,8 +215,8 @@ def closing_words(recordings: Sequence[Recording]) -> list[str]:
         count = int(((factor > _CLOSURE_ALARM) | (shortened > 0.0)).sum())
         if count:
             notes.append(
-                f"at {count} of {recording.steps} steps of {recording.name} forces and energy disagree: closing them "
-                f"changed the velocity by up to {100.0 * float(factor.max()):.3g} %, or shortened them; take shorter "
+                f"in {count} of {recording.steps} steps of {recording.name}, forces and energy disagree: closing them "
+                f"changed the velocity by up to {100.0 * float(factor.max()):.3g} %, or shortened them; use shorter "
                 "steps, or more damping"
             )
     return notes

@@ -146,7 +146,7 @@ def unbalanced(recording: Recording, link: Float, local_loss: Float) -> Iterator
         if not all(np.isfinite(values).all() for values in book.values()):
             bad = np.where(np.all([np.isfinite(values) for values in book.values()], axis=0), 0.0, np.inf)
             yield Unbalanced(
-                life.user, "the ledger of a guard have numbers that is not finite", _placed(bad, at, recording)
+                life.user, "the ledger of a guard has numbers that are not finite", _placed(bad, at, recording)
             )
             continue
         # A step after a gap has nothing to be compared with, nor has the first of a guard that began before.
@@ -156,22 +156,26 @@ def unbalanced(recording: Recording, link: Float, local_loss: Float) -> Iterator
         lacks = _rise(kept, follows)
         if life.seed is not None:
             lacks[0] = kept[0] - life.seed
-        yield Unbalanced(life.user, "a tank holds other than what it was given and paid", _placed(lacks, at, recording))
+        yield Unbalanced(
+            life.user, "a tank does not hold what it received less what it paid", _placed(lacks, at, recording)
+        )
         done = np.zeros(kept.size)
         done[1:] = link[at, column][:-1]
         held = _rise(book["injected"] - book["potential"], follows) - np.where(follows, done, 0.0)
-        words = "the ledger of a guard says another work than the link did"
+        words = "a guard's ledger disagrees with the work that the link did"
         yield Unbalanced(life.user, words, _placed(held, at, recording))
         paid = _rise(book["injected"], follows) - _rise(book["paid"], follows)
         unpaid = np.where(columns["link_state"][at, column] != LinkState.COUPLED, np.maximum(paid, 0.0), 0.0)
-        yield Unbalanced(life.user, "a guarded link moved its spring's end unpaid", _placed(unpaid, at, recording))
+        yield Unbalanced(
+            life.user, "a guarded link moved the end of its spring without paying", _placed(unpaid, at, recording)
+        )
         credited[at] += _rise(book["credited"], follows)
         if exchange:
             gave, got = _rise(book["sent"], follows), _rise(book["received"], follows)
             more = np.maximum(gave - _rise(book["given"], follows), 0.0)
             more += np.maximum(got - _rise(book["taken"], follows), 0.0) + np.maximum(-got, 0.0)
             yield Unbalanced(
-                life.user, "a tank exchanged more with the other end than at all", _placed(more, at, recording)
+                life.user, "a tank exchanged more with the other end than in total", _placed(more, at, recording)
             )
             helped[at] += _rise(book["taken"], follows) - got
             shared[at] += _rise(book["given"], follows) - gave
@@ -179,11 +183,11 @@ def unbalanced(recording: Recording, link: Float, local_loss: Float) -> Iterator
     yield Unbalanced(None, "tanks were credited more than the damping took", beyond)
     if exchange:
         most = np.cumsum(shared + columns["body_loss"] + columns["extra_loss"] + advanced(recording))
-        words = "tanks took more of the copy than others gave and its own damping lost"
+        words = "tanks took more from the copy than other tanks gave and its own damping dissipated"
         yield Unbalanced(None, words, _rises(np.cumsum(helped) - most))
         got = np.cumsum(advanced(recording))
         more = _rises(got - max(setup.allowance for setup in recording.setups)) + np.maximum(-advanced(recording), 0.0)
-        yield Unbalanced(None, "tanks got more of the newcomer's allowance than there is", more)
+        yield Unbalanced(None, "tanks received more of the newcomer's allowance than there is", more)
 
 
 def _unpaid(recording: Recording, link: Float) -> Float:

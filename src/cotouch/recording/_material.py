@@ -329,7 +329,7 @@ def _world_of(arrays: Mapping[str, Any]) -> dict[str, Any]:
     world = {name: np.asarray(arrays[_PREFIX + _WORLD + name]) for name in ("kind", "shape", "law")}
     extents = [values.shape for values in world.values()]
     if extents != [extents[0], (*extents[0], _SHAPE), (*extents[0], len(_LAW))] or len(extents[0]) != 1:
-        raise ValueError(f"what stands around the body is told by arrays of {extents}")
+        raise ValueError(f"the surroundings of the body have arrays of shapes {extents}")
     return world | {name: np.asarray(arrays[_PREFIX + _WORLD + name]) for name in NAMES if _has(arrays, name)}
 
 

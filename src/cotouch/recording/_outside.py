@@ -83,7 +83,7 @@ def cut_steps(recording: "Recording") -> Float:
         step = event.fields.get("step")
         known = all(isinstance(e, int) and 0 <= e < found.size for e in named)
         if not known or not isinstance(step, int):
-            raise RecordingError(f"{recording.path} tells of cut elements that its body has not: {str(named)[:60]}")
+            raise RecordingError(f"{recording.path} lists cut elements that its body does not have: {str(named)[:60]}")
         chosen = np.array(named, dtype=np.int64)
         found[chosen] = np.minimum(found[chosen], step)
     return found

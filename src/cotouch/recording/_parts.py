@@ -63,25 +63,25 @@ def parts_of_arrays(
     turns, shifts = (np.asarray(arrays[name], dtype=np.float64) for name in (_TURN, _SHIFT))
     count = turns.shape[0]
     if turns.shape != (count, 3, 3) or shifts.shape != (count, 3) or not 1 <= count <= _MOST:
-        raise ValueError(f"parts are placed by arrays of {turns.shape} and {shifts.shape}")
+        raise ValueError(f"the placements of parts have shapes {turns.shape} and {shifts.shape}")
     if not (np.abs(turns @ turns.transpose(0, 2, 1) - np.eye(3)) <= _ROUNDING).all() or not np.isfinite(shifts).all():
-        raise ValueError("a part is turned by what is no rotation")
+        raise ValueError("the orientation of a part is not a rotation")
     parts: list[Part] = []
     first = 0
     owners = np.asarray(arrays.get(_TOOL, np.zeros((count, 2), dtype=int)), dtype=np.int64)
     if owners.shape != (count, 2) or owners.min() < 0 or np.any((owners[:, 0] == 0) != (owners[:, 1] == 0)):
-        raise ValueError(f"who has which tool is told by an array of {owners.shape}")
+        raise ValueError(f"the owners of tools have shape {owners.shape}")
     if np.any(np.diff(owners[:, 0] > 0, append=True) < 0):
-        raise ValueError("a tool comes before what is shared")
+        raise ValueError("a tool precedes a shared part")
     for number, (turn, shift) in enumerate(zip(turns, shifts, strict=True)):
         prefix = f"part{number}_"
         own = {name.removeprefix(prefix): values for name, values in arrays.items() if name.startswith(prefix)}
         grips = np.asarray(own.pop(_GRIPS, np.zeros((0, 3))), dtype=np.float64).reshape(-1, 3)
         body = one(own, np.asarray(own.pop(_REST), dtype=np.float64))
         if body.dimension != 3 or body.skin is None or body.parts:
-            raise ValueError(f"part {number + 1} is no solid with a skin")
+            raise ValueError(f"part {number + 1} is not a solid with a skin")
         if not np.isfinite(grips).all():
-            raise ValueError(f"part {number + 1} is held where no place is")
+            raise ValueError(f"part {number + 1} is held at a place that does not exist")
         owner, copies = owners[number].tolist()
         held = tuple(map(tuple, grips.tolist()))
         tool = ToolBody(owner=owner - 1, copies=copies, grips=held) if owner else None

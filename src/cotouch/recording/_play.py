@@ -63,7 +63,7 @@ def play(
     rows = np.flatnonzero((ends >= start - _SAME) & (ends <= stop + _SAME))
     if rows.size == 0:
         raise RecordingError(
-            f"nothing of {recording.path} lies between {start:g} s and {stop:g} s; it has {float(ends[-1]):.4g} s"
+            f"{recording.path} has nothing between {start:g} s and {stop:g} s; it is {float(ends[-1]):.4g} s long"
         )
     body = recording.header.body
     kept = states["state_row"]

@@ -70,7 +70,7 @@ def _recording(data: bytes, name: str) -> Recording:
     except _BROKEN as error:
         broken = f"it breaks off: {str(error) or type(error).__name__}"
     if metadata is None or CONFIGURATION not in attachments or BODY not in attachments:
-        raise RecordingError("it is no recording of cotouch, or ends before its head does")
+        raise RecordingError("it is not a cotouch recording, or ends within its header")
     header = RecordHeader.read(metadata, attachments[CONFIGURATION], attachments[BODY])
     return recording_of(name, header, batches, events, broken)
 

@@ -53,7 +53,7 @@ class Recorded:
         if self.failure is not None:
             return f"has its {self.steps:,} steps, but was not finished: {self.failure}"
         if self.dropped_steps:
-            return f"lacks {self.dropped_steps:,} of {taken:,} steps, for which the disk was too slow"
+            return f"lacks {self.dropped_steps:,} of {taken:,} steps, because the disk was too slow"
         return None
 
 
@@ -244,7 +244,7 @@ class Recorder:
             self._full.put(None)
             self._thread.join(_JOIN)
             if self._thread.is_alive():
-                self.failure = f"the disk did not take the rest within {_JOIN:g} s"
+                self.failure = f"the disk did not accept the rest within {_JOIN:g} s"
         return Recorded(
             steps=self._written,
             dropped_steps=self.dropped,

@@ -166,10 +166,12 @@ class Recording:
         """
         made = [_setup(event) for event in self.events if event.kind == "setup"]
         if not made:
-            raise RecordingError(f"{self.path} does not say what its steps follow from; it has no event of kind setup")
+            raise RecordingError(f"{self.path} does not say how its steps were set up; it has no event of kind setup")
         for setup in made:
             if not set(setup.neighbours) <= set(self.neighbours) and setup.first <= self.columns["index"][-1]:
-                raise RecordingError(f"{self.path} has a setup with links that no step has: {setup.neighbours}")
+                raise RecordingError(
+                    f"{self.path} has a setup with links that its steps do not have: {setup.neighbours}"
+                )
         return tuple(made)
 
     @cached_property
@@ -240,7 +242,7 @@ def recording_of(
     if np.any(np.diff(columns["index"]) <= 0):
         raise RecordingError("its steps are not in order")
     if not (np.all(np.isfinite(columns["end"])) and np.all(columns["T"] > 0.0)):
-        raise RecordingError("a step of it has a time that is not finite or a length that is not positive")
+        raise RecordingError("a step has a time that is not finite or a length that is not positive")
     held = [batch.columns for batch in batches if batch.columns.get("state_row", np.zeros(0)).size]
     states: dict[str, Array] = {"state_row": np.zeros(0, dtype=np.int64)}
     if held:
@@ -253,7 +255,7 @@ def recording_of(
         for name in ("x", "v", "middle"):
             parts = [batch[name] for batch in held if name in batch]
             if len(parts) < len(held) or {part.shape[1:] for part in parts} != {(header.body.rows, header.body.axes)}:
-                raise RecordingError(f"its column {name!r} does not fit the body in its head")
+                raise RecordingError(f"its column {name!r} does not fit the body in its header")
             states[name] = np.concatenate(parts)
     return Recording(
         path=path,
@@ -289,7 +291,7 @@ def _padded(entry: Array | None, count: int, shape: tuple[int, ...]) -> Array:
     out = np.full((count, *shape), np.nan)
     if entry is not None:
         if entry.ndim != out.ndim or any(a > b for a, b in zip(entry.shape[1:], shape, strict=True)):
-            raise RecordingError("columns of its batches do not fit together")
+            raise RecordingError("the columns of its batches do not match")
         out[tuple(slice(0, extent) for extent in entry.shape)] = entry
     return out
 

@@ -27,7 +27,7 @@ def numeric(host: str) -> Numeric:
     try:
         return ipaddress.ip_address(host)
     except ValueError:
-        raise SessionError(f"host {host!r} is not an address in numbers, such as 127.0.0.1 or ::1") from None
+        raise SessionError(f"host {host!r} is not a numeric address, such as 127.0.0.1 or ::1") from None
 
 
 def plain(source: object) -> Address | None:

@@ -100,9 +100,9 @@ class Agreement(Unique):
         """
         super().__init__()
         if len(other) != 32 or other == identity.public:
-            raise SessionError("the other end's public key takes 32 bytes, and must not be this member's own")
+            raise SessionError("the other end's public key must have 32 bytes and must not be this member's own")
         if not 0 <= connection < 1 << 32:
-            raise SessionError(f"connection {connection} does not fit 32 bits; choose one below 4294967296")
+            raise SessionError(f"connection {connection} does not fit into 32 bits; choose one below 4294967296")
         self.initiator = identity.public < other
         self.epoch = 0
         self._identity = identity
@@ -125,9 +125,11 @@ class Agreement(Unique):
             SessionError: this end is not the one that begins.
         """
         if not self.here:
-            raise SessionError("keys are not agreed on in a forked process; make a new link there")
+            raise SessionError("keys cannot be agreed on in a forked process; make a new link there")
         if not self.initiator:
-            raise SessionError("this end of the link does not begin; the one with the smaller public key does")
+            raise SessionError(
+                "this end of the link does not start the agreement; the one with the smaller public key does"
+            )
         ephemeral = X25519PrivateKey.from_private_bytes(self._entropy(32))
         epoch = min(self.epoch + 1, _LAST_EPOCH)
         public = ephemeral.public_key().public_bytes_raw()

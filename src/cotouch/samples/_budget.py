@@ -86,9 +86,9 @@ class BudgetAgreement:
             if not 0.0 <= value < inf:
                 raise SessionError(f"a budget's {name} is {value:g}; it must be finite and at least 0")
         if not 0.0 < every < inf:
-            raise SessionError(f"a budget's message is due every {every:g} s; it takes a finite time above 0")
+            raise SessionError(f"a budget's message is due every {every:g} s; it must be a finite time above 0")
         if not 0.0 < limit < inf:
-            raise SessionError(f"the limit of a link's budgets is {limit:g} s; it takes a finite time above 0")
+            raise SessionError(f"the limit of a link's budgets is {limit:g} s; it must be a finite time above 0")
         self.budget = -inf
         self._life = life
         self._quantile, self._margin, self._slack = quantile, margin, slack

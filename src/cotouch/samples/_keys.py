@@ -64,7 +64,7 @@ class Identity:
 
     def __post_init__(self) -> None:
         if len(self.secret) != 32:
-            raise SessionError(f"the secret of an identity has {len(self.secret)} bytes; it takes 32")
+            raise SessionError(f"the secret of an identity has {len(self.secret)} bytes; it must have 32")
         public = self._key().public_key().public_bytes(Encoding.Raw, PublicFormat.Raw)
         object.__setattr__(self, "public", public)
 

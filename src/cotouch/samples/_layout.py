@@ -59,16 +59,16 @@ class Layout:
 
     def __post_init__(self) -> None:
         if not 1 <= self.axes <= self.width or self.rows < 1:
-            raise SessionError(f"{self.rows} rows of {self.axes} axes in a width of {self.width} make no state")
+            raise SessionError(f"{self.rows} rows of {self.axes} axes in a width of {self.width} do not form a state")
         if self.encoding not in ENCODINGS:
             raise SessionError(f"coding {self.encoding!r} is unknown; it is one of {', '.join(ENCODINGS)}")
         most = float(np.finfo(self.dtype).max)
         if not 0.0 < self.limit < most:
-            raise SessionError(f"limit is {self.limit}; {self.encoding} takes one between 0 and {most:.6g}")
+            raise SessionError(f"limit is {self.limit}; with {self.encoding} it must be between 0 and {most:.6g}")
         if (self.fields or self.scalars) and (self.encoding != "float64" or self.basis is not None):
-            raise SessionError("what a link law sends goes beside rows as float64; leave coding and basis out")
+            raise SessionError("a link law's numbers are sent beside rows as float64; leave coding and basis out")
         if self.form is not None and (self.encoding != "float64" or self.basis is not None):
-            raise SessionError("a perceptual codec has numbers of its own on the wire; leave coding and basis out")
+            raise SessionError("a perceptual codec has its own format on the wire; leave coding and basis out")
         if not set(self.coarse) <= set(range(self.fields)):
             raise SessionError(f"{self.fields} fields have no coarse ones {self.coarse}")
         fixed, each = 8 * self.scalars, self.axes * self.dtype.itemsize + self.row_bytes
@@ -77,16 +77,18 @@ class Layout:
             each = self.axes * (self.form.size(FULL, 1) - fixed)
         room = max(_ROOM - fixed, 0) // each
         if room < 1:
-            raise SessionError(f"{self.fields} fields and {self.scalars} numbers of a link law do not fit a datagram")
+            raise SessionError(
+                f"{self.fields} fields and {self.scalars} numbers of a link law do not fit into a datagram"
+            )
         sent = self.rows
         if self.basis is not None:
             sent = self.basis.shape[-1]
             if self.basis.shape != (self.rows, sent) or np.linalg.matrix_rank(self.basis) < sent:
                 raise SessionError(
-                    f"basis has the shape {self.basis.shape}; it takes {self.rows} rows and independent columns"
+                    f"basis has the shape {self.basis.shape}; it must have {self.rows} rows and independent columns"
                 )
             if sent > room:
-                raise SessionError(f"basis has {sent} coordinates; {room} fit one datagram as {self.encoding}")
+                raise SessionError(f"basis has {sent} coordinates; {room} fit into one datagram as {self.encoding}")
             object.__setattr__(self, "_inverse", np.linalg.pinv(self.basis))
         object.__setattr__(self, "sent", sent)
         object.__setattr__(self, "chunk", min(room, sent))

@@ -149,7 +149,7 @@ class SamplePlane:
             epoch: of the session.
         """
         if not 0 <= user < 1 << 16 or not 0 <= epoch < 1 << 32:
-            raise SessionError(f"user {user} or epoch {epoch} does not fit 16 and 32 bits; neither counts that far")
+            raise SessionError(f"user {user} or epoch {epoch} does not fit into 16 and 32 bits")
         self.user = user
         self.epoch = epoch
         self.links: dict[int, SampleLink] = {}

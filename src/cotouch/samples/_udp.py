@@ -212,7 +212,7 @@ class UdpTransport:
             return
         pair = cast("tuple[Any, ...]", source) if isinstance(source, tuple) else ()
         if len(pair) != 2:
-            raise SessionError(f"{source!r} is no address; it takes a host in numbers and a port")
+            raise SessionError(f"{source!r} is not an address; it must be a numeric host and a port")
         new = (_reachable(str(pair[0]), six=self._six), _port(pair[1], given=True))
         self.forget(neighbour)
         self._neighbours[neighbour] = new

@@ -53,12 +53,12 @@ class PoseHand(Table):
         wrong = next((row for row in rows if len(row) not in {4, 7}), None)
         if wrong is not None:
             raise ValueError(
-                f"path has the waypoint {wrong}; it must be a time and 3 numbers, or 6 with the turn of the tool"
+                f"path has the waypoint {wrong}; it must be a time and 3 numbers, or 6 with the rotation of the tool"
             )
         if not rows and len(self.path) not in {3, 6}:
             raise ValueError(
-                f"path is {self.path}; it must be 3 numbers, 6 with the turn of the tool, or waypoints of these after "
-                "a time"
+                f"path is {self.path}; it must be 3 numbers, 6 with the rotation of the tool, or waypoints of a time "
+                "and such numbers"
             )
         if any(b[0] <= a[0] for a, b in pairwise(rows)):
             raise ValueError(f"the times of path are {[row[0] for row in rows]}; they must increase")

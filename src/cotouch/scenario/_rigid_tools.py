@@ -99,7 +99,7 @@ def refuse_unfit(body: Body, name: str, *, balls: bool) -> None:
     """
     if balls:
         raise ScenarioError(
-            f"{name} is a rigid body, but others of [[tools]] are balls or grasps; take one sort only, beside blades"
+            f"{name} is a rigid body, but others of [[tools]] are balls or grasps; use only one kind, beside blades"
         )
     rigid = sum(part.body.rigid for part in body.parts)
     if rigid > _MOST_RIGID:
@@ -218,7 +218,7 @@ def _paths(hand: PoseHand, about: Float, name: str, *, goes: bool) -> list[tuple
     pieces = np.maximum(np.ceil(turned / _STRAIGHT), 1.0)
     if pieces.sum() > _MOST:
         raise ScenarioError(
-            f"{name}.hand.path turns by {turned.sum():.3g} rad in all; it must be at most {_MOST // 60}"
+            f"{name}.hand.path turns by {turned.sum():.3g} rad in total; it must be at most {_MOST // 60}"
         )
     steps = [np.linspace(0.0, 1.0, int(count) + 1)[1:, None] for count in pieces]
     finer = [given[:1], *(a + share * (b - a) for (a, b), share in zip(pairwise(given), steps, strict=True))]

@@ -97,8 +97,8 @@ class Scenario(Table):
                 value = getattr(self.steps, name)
                 if len(set(list_of(value) or ())) > 1:
                     raise ValueError(
-                        f'steps.{name} is {value}, but in mode "constant" all take the steps of one index together; '
-                        'give one number for all, or use mode "freshest", in which everybody keeps a rate of their own'
+                        f'steps.{name} is {value}, but in mode "constant" all users take each step together; '
+                        'give one number for all, or use mode "freshest", in which each user has their own rate'
                     )
         return self
 
@@ -174,7 +174,7 @@ class Scenario(Table):
         for name, value in changes.items():
             table, _, option = name.partition("__")
             if table not in tables:
-                raise ScenarioError(f'"{table}" is no part of a scenario; there are {", ".join(tables)}')
+                raise ScenarioError(f'"{table}" is not a table of scenarios; tables are {", ".join(tables)}')
             tables[table] = {**self._options_of(table, tables[table]), option: value} if option else value
         result = type(self).make(**tables)
         several = {"body", "bodies", "between", "hands", "tools", "world", "cutting"}

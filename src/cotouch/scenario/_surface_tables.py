@@ -87,7 +87,7 @@ class TextureTable(Table):
         given = [name for name in ("pattern", "heights", "file") if getattr(self, name) is not None]
         if len(given) != 1:
             what = f"{' and '.join(given)} are given" if given else "none is given"
-            raise ValueError(f"a texture has one of pattern, heights and file, but {what}")
+            raise ValueError(f"a texture needs exactly one of pattern, heights and file, but {what}")
         needs = {"pattern": ("wavelength", "height"), "heights": ("size",), "file": ("size", "height")}[given[0]]
         for name in ("wavelength", "size", "height"):
             if (getattr(self, name) is None) == (name in needs):
@@ -212,7 +212,7 @@ def _picture(path: Path) -> Float:
     try:
         pixels = np.asarray(imread(BytesIO(data), format="png"), dtype=np.float64)
     except (OSError, SyntaxError, ValueError, EOFError):
-        raise ScenarioError(f"the texture {path} is a broken PNG; save it anew") from None
+        raise ScenarioError(f"the texture {path} is a broken PNG; save it again") from None
     if pixels.ndim == 3:  # without an opacity
         pixels = pixels[:, :, : 1 if pixels.shape[2] < 3 else 3].mean(axis=2)
     return pixels

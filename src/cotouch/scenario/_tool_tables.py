@@ -302,9 +302,9 @@ class ToolTable(Table):
                 "more firmly than what does not"
             )
         if self.kind == "grasp" and self.friction > 0.0:
-            raise ValueError(f"friction is {self.friction}, but a grasp holds without; leave it out")
+            raise ValueError(f"friction is {self.friction}, but a grasp holds without friction; leave it out")
         if self.kind == "grasp" and self.axis is not None:
-            raise ValueError(f"axis is {self.axis}, but a grasp holds what is near its middle; leave it out")
+            raise ValueError(f"axis is {self.axis}, but a grasp holds what is near its centre; leave it out")
         if self.kind == "blade":
             self._blade()
         elif self.thickness is not None:
@@ -323,4 +323,4 @@ class ToolTable(Table):
             if name in self.model_fields_set:
                 raise ValueError(f"{name} is {getattr(self, name)}, but a blade does not touch; leave it out")
         if self.device is not None:
-            raise ValueError("device is given, but a blade pushes nothing back; let a hand move it")
+            raise ValueError("device is given, but a blade exerts no force on its user; let a hand move it")

@@ -295,7 +295,7 @@ def _reachable(plant: PhantomPlant, hand: ToolHand, where: str) -> None:
             except DeviceError:
                 raise ScenarioError(
                     f"{where}.hand.path leads to [{x:g}, {y:g}, {z:g}] m from where the tool starts; a PHANToM's tip "
-                    "does not reach there, so shorten the path"
+                    "cannot reach that far; shorten the path"
                 ) from None
 
 

@@ -116,7 +116,7 @@ class TraceTable(Table):
     @model_validator(mode="after")
     def _has_unit(self) -> Self:
         if self.unit is None and _unit_of(self.column) is None:
-            raise ValueError(f'column is "{self.column}", which ends in no unit; give unit = "s", "ms" or "us"')
+            raise ValueError(f'column is "{self.column}", which does not end in a unit; give unit = "s", "ms" or "us"')
         return self
 
     def read(self) -> Trace:

@@ -252,7 +252,7 @@ class WorldTable(Table):
                 deep = overlap(own, beside)
                 if deep > _INSIDE * min(size, float(np.ptp(beside[0], axis=0).max())):
                     raise ScenarioError(
-                        f"{other} and {name} are in one place in the copy of user {user + 1}, {deep:.3g} m deep; move "
+                        f"{other} and {name} overlap in the copy of user {user + 1}, {deep:.3g} m deep; move "
                         "one of them"
                     )
 

@@ -110,10 +110,10 @@ def _played(
     # Here, as somebody waits who wants to know of it. Members would compile once, too: one, while the others wait, and
     # a page would show nobody. What is not cold may still lack what this object needs, so two steps are taken anyway.
     cold = compiles(session, touched=touched)
-    say("compiling, once on this machine" if cold else "trying what was compiled before, or compiling what lacks")
+    say("compiling, once on this machine" if cold else "loading compiled kernels, or compiling those that are missing")
     with shared_with_another_process(session) if touched and cold else nullcontext():
         interruptible(warm_up)(replica, lambda model: CommandedHand(Slot.of(session, replica, 0, model)))
-    say("starting the members")
+    say("starting the users")
     with open_host(session) as opened, mailbox_folder() as mailboxes:
         api = DemoSessionApi(session, opened, replica, mailboxes, record=record, rouse=seconds is None)
         try:
@@ -166,10 +166,12 @@ def _gather(
             break
         for name, member in members.items():
             if not member.running:
-                raise SessionError(f"{name} could not take part: {member.complaint() or 'it ended without a word'}")
+                raise SessionError(
+                    f"{name} could not take part: {member.complaint() or 'its process ended without a message'}"
+                )
         if time.monotonic() > patience:
             here = len(api.opened.host.watch.members)
-            raise SessionError(f"{here} of {len(members)} users came within {_PATIENCE:.0f} s; try fewer")
+            raise SessionError(f"{here} of {len(members)} users joined within {_PATIENCE:.0f} s; try fewer users")
     return time.monotonic()
 
 
@@ -186,7 +188,9 @@ def _summed(api: DemoSessionApi, seconds: float, *, left: bool) -> DemoOutcome:
     acted = api.acted
     results = {name: member.result() for name, member in api.members.items()}
     troubles, kept = api.recording_left()
-    complaints = [f"{name} ended without a result" for name, result in results.items() if result is None and not acted]
+    complaints = [
+        f"{name}'s process ended without a result" for name, result in results.items() if result is None and not acted
+    ]
     known = [r["status"] for r in results.values() if r is not None and r["status"] is not None]
 
     def total(name: str) -> float:
@@ -198,7 +202,7 @@ def _summed(api: DemoSessionApi, seconds: float, *, left: bool) -> DemoOutcome:
     links = [link for status in known for link in status["links"]]
     apart = max((link["difference"] for link in links if link["difference"] is not None), default=0.0)
     if supplied + had < -ALARM * max(lost, abs(supplied)) and not acted:
-        complaints.append(f"the hands got out {-supplied - had:.3g} J that nobody put in")
+        complaints.append(f"the hands took out {-supplied - had:.3g} J that nobody had put in")
     if residual > ALARM:
         complaints.append(f"the energy ledger is off by {residual:.1e} of the energy in play")
     # One that is ready has caught up, and waits for as long as its budgets.

@@ -148,7 +148,7 @@ class DemoSessionApi(SteeredMembers):
                 self._killed.add(name)
                 if not ended:  # else all leave, and what they showed last is the session's last moment
                     self._commands.forget(name)
-                    self._say(now, f"{name}'s process ended: {member.complaint() or 'without a word'}")
+                    self._say(now, f"{name}'s process ended: {member.complaint() or 'it gave no message'}")
         self._damping.turn(now)
         if self._rouses and self._seen:
             self._rouse(now)
@@ -301,13 +301,13 @@ class DemoSessionApi(SteeredMembers):
         for to, of in ((a, b), (b, a)):
             self._commands.impair(to, of, cut=float(command.on))
         self.acted = True
-        said = f"the path {self._names[a]} - {self._names[b]} is {'cut' if command.on else 'there again'}"
+        said = f"the path {self._names[a]} - {self._names[b]} is {'cut' if command.on else 'restored'}"
         self._say(time.monotonic(), said)
         return said
 
     def _kill(self, name: str) -> str:
         if name not in self.members or name in self._killed:
-            raise SessionError(f"{name} does not run on this machine")
+            raise SessionError(f"{name} is not running on this machine")
         self._end(name)
         said = f"{name}'s process was killed; its place is kept for it"
         self._say(time.monotonic(), said)
@@ -327,13 +327,13 @@ class DemoSessionApi(SteeredMembers):
         if name in self.members and name not in self._killed:
             self._end(name)
         self.acted = True
-        said = f"{name} was sent away for the rest of the session" if elsewhere else f"the place of {name} is free"
+        said = f"{name} was expelled for the rest of the session" if elsewhere else f"the place of {name} is free"
         self._say(time.monotonic(), said)
         return said
 
     def _revive(self, name: str) -> str:
         if name in self.members and name not in self._killed:
-            raise SessionError(f"{name} runs already")
+            raise SessionError(f"{name} is already running")
         self._begin(name)
         return f"{name} joins again"
 
@@ -345,7 +345,7 @@ class DemoSessionApi(SteeredMembers):
             raise SessionError(str(error)) from error
         self.acted = True
         pairs = ", ".join(f"{a + 1}-{b + 1}" for a, b in self.opened.host.roster.links)
-        return f"linked are {pairs or 'none'}"
+        return f"links are now {pairs or 'none'}"
 
     def _damp(self, fraction: float) -> str:
         self._damping.give(fraction)

@@ -105,7 +105,7 @@ def device_choices(text: str) -> list[DeviceChoice]:
     """
     found = [DeviceChoice.read(part) for part in text.split(AND)]
     if len(found) > _HANDS:
-        raise DeviceError(f'device is "{text}", which are {len(found)}; a person has two hands')
+        raise DeviceError(f'device is "{text}", which names {len(found)} devices; a person has two hands')
     return found
 
 

@@ -124,7 +124,7 @@ def _identity(invitation: Invitation, part: Part, warn: Callable[[str], None]) -
         try:
             kept = KeptIdentity(part.identities, invitation.id, part.name, os.urandom)
         except TransportError as error:
-            warn(f"{error}; after a crash you need another name")
+            warn(f"{error}; after a crash, use another name")
     try:
         yield Identity.make(os.urandom) if kept is None else kept.identity
     finally:
@@ -158,9 +158,13 @@ def _fetched(control: ControlPlane, invitation: Invitation, digest: bytes, patie
             look = now + _LOOK
             if _abandoned(invitation):
                 where = " and ".join(f"{one.host}:{one.port}" for one in invitation.endpoints)
-                raise TransportError(f"nobody listens at {where}: the session has ended, or its host is not running")
+                raise TransportError(
+                    f"nothing is listening at {where}: the session has ended, or its host is not running"
+                )
         if now > end:
-            who = "nobody of the session answers" if not control.present() else "nobody has the session's file"
-            raise TransportError(f"{who} within {patience:.0f} s; check that the host runs and can be reached")
+            who = (
+                "no member of the session answered" if not control.present() else "no member has sent the session file"
+            )
+            raise TransportError(f"{who} within {patience:.0f} s; check that the host is running and can be reached")
         time.sleep(_WAIT)
     return content

@@ -69,11 +69,13 @@ def kept_host(path: Path, session: SessionFile) -> KeptHost:
         decided = kept["decided"]
         decision = None if decided is None else Decision.model_validate(decided)
     except (ValueError, KeyError, TypeError, RecursionError) as error:
-        raise SessionError(f"{path} does not hold the keys of a session; name a file that is not there yet") from error
+        raise SessionError(
+            f"{path} does not hold the keys of a session; name a file that does not exist yet"
+        ) from error
     if invitation.digest != session.digest or invitation.host != identity.public:
-        raise SessionError(f"{path} holds the keys of another session; name a file that is not there yet")
+        raise SessionError(f"{path} holds the keys of another session; name a file that does not exist yet")
     if decision is not None and (decision.signer != identity.public.hex() or not genuine(decision, identity.public)):
-        raise SessionError(f"{path} holds a roster that its host did not sign; name a file that is not there yet")
+        raise SessionError(f"{path} holds a roster that its host did not sign; name a file that does not exist yet")
     return KeptHost(identity, invitation, decision)
 
 
@@ -116,7 +118,7 @@ class KeptIdentity:
                 put(path, json.dumps({"identity": self.identity.secret.hex()}).encode(), "identity", private=True)
         except OSError as error:
             self.close()
-            raise TransportError(f"who you are cannot be kept in {folder}: {error.strerror}") from error
+            raise TransportError(f"your identity cannot be stored in {folder}: {error.strerror}") from error
 
     def close(self) -> None:
         """Lets go of it; the file stays."""

@@ -40,9 +40,9 @@ class Measured:
     def toml(self) -> str:
         """As a file for `cotouch plan`, with a comment for each pair that was not measured."""
         network = self.network
-        lines = ["# Measured: half of the quickest way there and back, in each direction.", "[network]"]
+        lines = ["# Measured: half of the shortest round trip, in each direction.", "[network]"]
         if self.emulated:
-            lines.insert(1, "# The session emulates a network; its delays are in these.")
+            lines.insert(1, "# The session emulates a network, whose delays are included.")
         names = ", ".join(_text(name) for name in network.users)
         lines += [f"users = [{names}]", "spring = [ # N/m"]
         lines += [f"  [{', '.join(f'{value:g}' for value in row)}]," for row in network.spring]
@@ -50,7 +50,7 @@ class Measured:
         lines += [f"  [{', '.join(f'{value:.6f}' if value else '0' for value in row)}]," for row in network.delay]
         lines += ["]", f"links = [{', '.join(f'[{a + 1}, {b + 1}]' for a, b in network.links)}]"]
         for a, b in self.missing:
-            lines.append(f"# {a + 1} and {b + 1} could not be measured; this is the delay in the session's file")
+            lines.append(f"# {a + 1} and {b + 1} could not be measured; this is the delay in the session file")
         return "\n".join(lines) + "\n"
 
 
@@ -67,7 +67,7 @@ def measured(watch: SessionWatch, session: SessionFile) -> Measured:
     there = watch.roster.by_slot()
     if len(there) < 2:
         who = f"only {next(iter(there.values())).name}" if there else "nobody"
-        raise SessionError(f"{who} takes part in the session; a way can be measured from two on")
+        raise SessionError(f"{who} takes part in the session; measuring takes at least two members")
     paths = watch.paths()
     slots, whole = sorted(there), session.scenario.network
     chosen = np.ix_(slots, slots)

@@ -86,7 +86,7 @@ class MemberSessionApi(SteeredMembers):
         self._recording.turn(now, [self._name] if running else [], ended=self.watch.ended or not running)
         if not running and not self.over:
             self.over = True
-            self._say(now, f"{self._name} takes part no more")
+            self._say(now, f"{self._name} no longer takes part")
         self._overview = self._looked(now)
 
     def close(self) -> tuple[int, str]:
@@ -132,7 +132,7 @@ class MemberSessionApi(SteeredMembers):
     def _name_of(self, slot: int) -> str:
         own = self.slot
         if own is None:
-            raise SessionError(f"{self._name} does not move yet; wait a moment")
+            raise SessionError(f"{self._name}'s copy is not moving yet; wait a moment")
         _requests.slot_among(slot, (own,))
         return self._name
 
@@ -140,7 +140,7 @@ class MemberSessionApi(SteeredMembers):
         """Nothing here waits for somebody to act."""
 
     def _do_more(self, command: Command) -> str:
-        raise SessionError(f'"{command.what}" is for the host\'s page; here can be done: hand, record')
+        raise SessionError(f'"{command.what}" is only possible on the host\'s page; possible here: hand, record')
 
 
 @contextmanager

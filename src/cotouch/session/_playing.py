@@ -112,9 +112,7 @@ def take_part(
 
     def every_service(now: float) -> None:
         if member.replica is not None and member.slot is not None:
-            tell(
-                f"ready: {part.name} is user {user_number(member.slot)} of {session.slots}, links by law {session.law}"
-            )
+            tell(f"ready: {part.name} is user {user_number(member.slot)} of {session.slots}, link law {session.law}")
         elif member.waits_because is not None:
             tell(f"waiting, because {member.waits_because}")
         held.service(session_recorder, now)
@@ -127,7 +125,7 @@ def take_part(
                 )
         if session_recorder is not None and session_recorder.failure is not None and not warned:
             warned.append(session_recorder.failure)
-            warn(f"nothing is recorded into {part.record} any more: {session_recorder.failure}; the session goes on")
+            warn(f"recording to {part.record} has stopped: {session_recorder.failure}; the session continues")
         if telemetry is not None:
             telemetry.service(now, member.slot, impaired)
             if member.replica is not None:

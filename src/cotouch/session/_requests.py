@@ -10,7 +10,7 @@ from cotouch.observers import FARTHEST, MOST_TURN, ChooseLinks, Cut, HandMode, I
 
 # What a hand can be told in a word, and how that is said.
 WORDS: dict[HandMode, str] = {
-    "script": "goes on as the session's file says",
+    "script": "follows the session file's script",
     "free": "lets go",
     "hold": "holds still",
     "pull": "pulls there",
@@ -51,7 +51,9 @@ def check_hand(command: MoveHand, body: Body, *, cuts: bool) -> None:
         _check_tool(command.node, body, command.slot)
         return
     if command.node >= body.holds:
-        raise SessionError(f"node is {command.node}; it must be from 0 to {body.holds - 1}, or -1 for what is held")
+        raise SessionError(
+            f"node is {command.node}; it must be from 0 to {body.holds - 1}, or -1 for the node that is held"
+        )
     if command.mode == "cut":
         _check_cuttable(body, cuts)
 
@@ -60,16 +62,16 @@ def _check_tool(node: int, body: Body, slot: int) -> None:
     tools = [part.tool for part in body.tools if part.tool is not None]
     led = sum(tool.owner == slot and bool(tool.grips) for tool in tools)
     if not led:
-        raise SessionError("this user has no rigid tool with a hand; the session's file says who has one")
+        raise SessionError("this user has no rigid tool with a hand; the session file says who has one")
     if node >= led:
         raise SessionError(f"node is {node}; with pose it must be from 0 to {led - 1}, or -1 for the first")
 
 
 def _check_cuttable(body: Body, cuts: bool) -> None:
     if not body.cut_count:
-        raise SessionError("a blade cuts nothing here, because the session's file has no [cutting]; add that table")
+        raise SessionError("the blade cuts nothing here, because the session file has no [cutting] table; add one")
     if not cuts:
-        raise SessionError("this user may not cut; cutting.users of the session's file says who may")
+        raise SessionError("this user may not cut; cutting.users in the session file says who may")
 
 
 def checked(pointer: Pointer, body: Body, slot: int, *, cuts: bool) -> Pointer:
@@ -89,7 +91,7 @@ def checked(pointer: Pointer, body: Body, slot: int, *, cuts: bool) -> Pointer:
     if pointer.mode == "pose":
         _check_tool(pointer.node, body, slot)
     if pointer.mode == "ball" and body.tools:
-        raise SessionError("there is no ball beside rigid tools; grab the body, or lead a tool by pose")
+        raise SessionError("a session with rigid tools has no ball; grab the body, or move a tool with pose")
     if pointer.mode == "blade":
         _check_cuttable(body, cuts)
     if pointer.mode == "grab" and not 0 <= pointer.node < body.holds:
@@ -139,7 +141,7 @@ def links_of(command: ChooseLinks, choices: Mapping[str, Sequence[Pair]], users:
         return sorted({(min(pair), max(pair)) for pair in command.links or ()})
     if choice not in choices:
         known = ", ".join(choices)
-        raise SessionError(f"choice is {choice!r}; it must be one of {known}; best and worst take a while to find")
+        raise SessionError(f"choice is {choice!r}; it must be one of {known}; finding best and worst takes a while")
     if not choices[choice]:
         raise SessionError(f"choice is {choice!r}, but no such links were found; choose others")
     return list(choices[choice])

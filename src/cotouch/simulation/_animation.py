@@ -124,7 +124,7 @@ class UserSeries:
 
     def __init__(self, *, name: str, unit: str, values: npt.ArrayLike) -> None:
         if not name.strip():
-            raise InputError("a series has no name; it stands above its chart")
+            raise InputError("a series has no name; give it one, because it is the title of its chart")
         numbers = numbers_of(f"values of {name}", values, InputError, finite=False)
         if numbers.ndim != 2:
             raise InputError(f"values of {name} are {size_of(numbers)}; they must be frames x users")
@@ -214,7 +214,7 @@ class Animation:
     ) -> None:
         names = tuple(users)
         if not names:
-            raise NetworkError("an animation of no users shows nothing; name at least one")
+            raise NetworkError("an animation needs users; name at least one")
         when = numbers_of("frame times", time, InputError)
         if when.ndim != 1 or when.size == 0:
             raise InputError(f"frame times are {size_of(when)}; they must be a row of at least one")
@@ -225,10 +225,10 @@ class Animation:
                 "times of frames must increase"
             )
         if (skin is None) != (displacement is None) or (skin is None) == (vertices is None):
-            raise BodyError("the object is given neither or twice; it must be either vertices or skin and displacement")
+            raise BodyError("the object must be given exactly once, as vertices or as skin and displacement")
         if skin is not None:
             if not (triangles is None and edges is None and rest is None):
-                raise BodyError("triangles, edges and rest come from the skin; leave them away where a skin is given")
+                raise BodyError("triangles, edges and rest come from the skin; if a skin is given, leave them out")
             field = field_of("displacement of nodes", displacement, when.size, len(names))
             skin.check(field.shape[2])
             places = _carried(skin, field)
@@ -237,7 +237,7 @@ class Animation:
             places = field_of("vertices", vertices, when.size, len(names))
         count = places.shape[2]
         if triangles is not None and edges is not None:
-            raise BodyError("both triangles and edges are given; one of them is drawn")
+            raise BodyError("both triangles and edges are given; give only one of them")
         faces = corners_of("triangle", triangles, 3, count)
         lines = corners_of("edge", edges, 2, count)
         if rest is None:

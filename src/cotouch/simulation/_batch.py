@@ -208,8 +208,8 @@ def run_batch(prepared: Prepared) -> Outcome:
     check()
     if law is not None and record.refused[0]:
         raise ScenarioError(
-            f'law "{law.law.name}" gives a link of user {record.refused[0]} a stiffness or damping that is no finite '
-            "number of at least 0"
+            f'law "{law.law.name}" gives a link of user {record.refused[0]} a stiffness or damping that is not a '
+            "finite number of at least 0"
         )
     shown = int(frames.done[0])
     return Outcome(

@@ -50,7 +50,7 @@ def body_report(body: Body, modes: int = _MODES) -> tuple[dict[str, Any], Float]
     """
     origin = body.origin
     if origin is None:
-        raise ScenarioError("the body was not made from a mesh; there is nothing to tell about its origin")
+        raise ScenarioError("the body was not made from a mesh; so there is no report on its origin")
     rigid = origin.free if body.form == "full" else int(origin.free > 0)
     values, shapes = np.zeros(0), np.zeros((body.mass.shape[0], 0))
     if not body.rigid:

@@ -39,7 +39,7 @@ def check_codec(scenario: Scenario, ready: Model, law: Law, weight: Int) -> None
         )
     if law.passive and law.rule == 0.0 and not law.energies:
         raise ScenarioError(
-            f'channel.codec is given, but law "{law.name}" does not say by which numbers its ends pay (energies), so '
+            f'channel.codec is given, but law "{law.name}" does not say in which numbers its ends pay (energies), so '
             "nothing bounds what inexact samples make; take another law, or leave the codec out"
         )
     if law.constant_delay:
@@ -54,7 +54,7 @@ def check_codec(scenario: Scenario, ready: Model, law: Law, weight: Int) -> None
     ):
         if there:
             raise ScenarioError(
-                f"channel.codec is given with {what}, of which a run message by message keeps no record; leave one of "
+                f"channel.codec is given with {what}, which a message-by-message run does not record; leave one of "
                 "them out"
             )
 

@@ -210,8 +210,8 @@ def _tool_places(run: "xr.Dataset") -> "Figure":
             when, front = decimate(time, moved[tool, :, axis] / factor)
             panel.plot(when, front, **line)
         panel.set_ylabel(f"{run['axis'].values[axis]} / {unit}")
-    devices_too = " (broad and pale: their devices)" if np.isfinite(held).any() else ""
-    panels[0].set_title(f"Tools from where they start{devices_too}")
+    devices_too = " (wide and pale: their devices)" if np.isfinite(held).any() else ""
+    panels[0].set_title(f"Displacement of tools from their start{devices_too}")
     _limit(panels, run)
     _user_legend_of(panels[0], run, owners)
     return figure
@@ -249,7 +249,7 @@ def _touch(run: "xr.Dataset") -> "Figure":
         moments, steps = time[known][np.minimum(changes, known.sum() - 1)], counts[tool, known]
         level = [float(steps[min(change, steps.size - 1)]) for change in changes]
         last.step(moments, level, where="post", linewidth=0.9, **_tool_line(owners, tool))
-    last.set_title("Contacts that push, or nodes held")
+    last.set_title("Active contacts, or nodes held")
     last.set_ylabel("Number")
     last.set_ylim(bottom=0.0)
     last.yaxis.set_major_locator(MaxNLocator(integer=True, nbins=4))
@@ -292,7 +292,7 @@ def _energies(run: "xr.Dataset") -> "Figure":
         panel.set_ylabel(f"Energy / {unit}")
         panel.legend(loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=len(lines))
     stores.set_title("Stored")
-    flows.set_title("Where it came from and went")
+    flows.set_title("Where energy came from and went")
     shade_hold(ledger, run, label=False)
     time, line = decimate(ticks, np.abs(run["residual"].values))
     seen = line > 0.0
@@ -301,7 +301,7 @@ def _energies(run: "xr.Dataset") -> "Figure":
         ledger.set_yscale("log")
     ledger.set_ylabel("|Residual| / J")
     fraction = float(run.attrs["energy_residual"])
-    ledger.set_title(f"What the ledger misses: at most {fraction:.1e} of the energy in play")
+    ledger.set_title(f"Ledger residual: at most {fraction:.1e} of the energy in play")
     _limit([stores, flows, ledger], run)
     return figure
 

@@ -49,7 +49,7 @@ def confirmed(
     if not (math.isfinite(rate) and rate < 0):
         raise NetworkError(f"rate is {rate:g} 1/s; it must be finite and below 0, or there is no decay to confirm")
     if not network.is_connected():
-        raise NetworkError("the links leave separate groups of users, which never come together; link them")
+        raise NetworkError("the links leave separate groups of users, which never agree; link them")
     period = _period(network, rate, mass)
     duration = _END / -rate
     if duration / period > _MOST_STEPS:
@@ -67,7 +67,7 @@ def confirmed(
     later = _slowest(levelled[:, levelled.shape[1] // 4 :], every * period)
     if abs(found - later) > _ALIKE * abs(rate + found):
         raise UnsupportedError(
-            f"modes decay too much alike to tell the slowest: a run shows {rate + found:.4g} 1/s, and less its "
+            f"modes decay too similarly to identify the slowest: a run shows {rate + found:.4g} 1/s, and without its "
             f"beginning {rate + later:.4g} 1/s"
         )
     return rate + found
@@ -105,7 +105,9 @@ def _slowest(signals: Float, step: float) -> float:
     columns = signals.shape[1] - _DEPTH
     scale = float(np.abs(signals).max(initial=0.0))
     if columns < _DEPTH or not 0 < scale < math.inf:
-        raise UnsupportedError("the simulated run shows no decay: the copies left the range of floating point, or rest")
+        raise UnsupportedError(
+            "the simulated run shows no decay: the copies exceeded the floating-point range, or are at rest"
+        )
     hankel = np.concatenate([signals[:, d : d + columns + 1] for d in range(_DEPTH)]) / scale
     left, sizes, right = np.linalg.svd(hankel[:, :-1], full_matrices=False)
     rank = max(1, int(np.count_nonzero(sizes > _ROUND_OFF * sizes[0])))
@@ -125,5 +127,5 @@ def _slowest(signals: Float, step: float) -> float:
     middle = np.abs(signals[:, columns // 2 :]).max() / scale
     clear = values[present > _FRACTION * middle]
     if not len(clear):
-        raise UnsupportedError("the simulated run shows no exponential that is clear of round-off")
+        raise UnsupportedError("the simulated run shows no exponential decay above round-off")
     return float(np.log(np.abs(clear)).max()) / step

@@ -21,7 +21,7 @@ PAPER = (
 )
 
 _WARNING = (
-    '<p class="note no">Not everything came out as it should: look for ✗ in the tables and for thresholds out of '
+    '<p class="note no">Not all results are as expected: look for ✗ in the tables and for thresholds out of '
     "order. The text below describes what was expected.</p>"
 )
 

@@ -92,14 +92,16 @@ def write_offer(nonce: bytes, candidates: Sequence[Candidate]) -> bytes:
         SessionError: an address is of no use to anybody, or the nonce has another length.
     """
     if len(nonce) != PAIR_NONCE_BYTES:
-        raise SessionError(f"a nonce of {len(nonce)} bytes makes no offer; it takes {PAIR_NONCE_BYTES}")
+        raise SessionError(f"the nonce of an offer has {len(nonce)} bytes; it must have {PAIR_NONCE_BYTES}")
     announced = list(dict.fromkeys(candidates))[:MOST_CANDIDATES]
     out = bytearray((_VERSION, len(announced))) + nonce
     for origin, address in announced:
         host = numeric(address.host)
         why = flaw(address)
         if why is not None or origin is CandidateKind.LEARNT:
-            raise SessionError(f"{address.host} port {address.port} is no candidate ({why or 'learnt'}); leave it out")
+            raise SessionError(
+                f"{address.host} port {address.port} is not a candidate ({why or 'learnt'}); leave it out"
+            )
         out += _ENTRY.pack(origin, host.version, address.port) + host.packed
     return bytes(out)
 

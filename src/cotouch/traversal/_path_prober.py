@@ -45,9 +45,9 @@ _PROMPT = 0.1
 class PathState(Enum):
     """How a neighbour is reached."""
 
-    TRYING = "addresses are tried; samples are relayed meanwhile"
-    DIRECT = "an address of it answers"
-    RELAYED = "none does; they are tried again now and then"
+    TRYING = "checking addresses; samples are relayed meanwhile"
+    DIRECT = "one of its addresses answers"
+    RELAYED = "none of its addresses answers; they are checked again from time to time"
 
 
 class Probe(NamedTuple):

@@ -92,10 +92,11 @@ def pair_keys(
         SessionError: a nonce or a key has another length, or both ends are one.
     """
     if len(own) != 32 or len(other) != 32 or own == other:
-        raise SessionError("the public keys of a pair take 32 bytes each, and must be two different ones")
+        raise SessionError("the public keys of a pair must have 32 bytes each and must differ")
     if len(own_nonce) != PAIR_NONCE_BYTES or len(other_nonce) != PAIR_NONCE_BYTES:
         raise SessionError(
-            f"nonces of {len(own_nonce)} and {len(other_nonce)} bytes make no pair; both take {PAIR_NONCE_BYTES}"
+            f"the nonces of a pair have {len(own_nonce)} and {len(other_nonce)} bytes; both must have "
+            f"{PAIR_NONCE_BYTES}"
         )
     first = own < other
     said = own + other + own_nonce + other_nonce if first else other + own + other_nonce + own_nonce

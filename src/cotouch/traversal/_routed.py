@@ -125,7 +125,7 @@ class RoutedTransport:
         found = [(mirror, plain(tuple(mirror))) for mirror in mirrors]
         for mirror, address in found:
             if address is None:
-                raise SessionError(f"mirror {mirror!r} is not an address in numbers and a port; resolve it first")
+                raise SessionError(f"mirror {mirror!r} is not a numeric address and a port; resolve it first")
         self._lookup.look([address for _, address in found if address is not None])
 
     def introduce(self, neighbour: int, member: bytes) -> None:
@@ -139,7 +139,7 @@ class RoutedTransport:
             SessionError: this is no public key, or this member's own.
         """
         if len(member) != 32 or member == self._control.identity.public:
-            raise SessionError(f"neighbour {neighbour} takes a public key of 32 bytes that is not this member's own")
+            raise SessionError(f"neighbour {neighbour} needs a public key of 32 bytes that is not this member's own")
         known = self._neighbours.get(neighbour)
         if known is None or known.member != member:
             self.forget(neighbour)

@@ -98,7 +98,7 @@ def _bound(listen: str, port: int | None) -> socket.socket:
         else:
             made.setblocking(False)
             return made
-    asked = f"port {tried[0]} of {listen} cannot be had"
+    asked = f"port {tried[0]} of {listen} is not available"
     if len(tried) > 1:
-        asked = f"none of the ports {tried[0]} to {tried[-1]} of {listen} can be had"
+        asked = f"none of the ports {tried[0]} to {tried[-1]} of {listen} is available"
     raise TransportError(f"{asked} for the page ({reason}); give another with --port")

@@ -76,9 +76,9 @@ class _Guard:
         host, server = headers.get("host"), scope.get("server")
         reason: str | None = None
         if not self._access.host_allowed(host, None if server is None else str(server[0])):
-            reason = "this server is not called by that name; use the address that cotouch printed"
+            reason = "this server does not answer to that name; use the address that cotouch printed"
         elif not self._access.origin_allowed(headers.get("origin"), host, needed=scope["type"] == "websocket"):
-            reason = "only the server's own page may talk to it"
+            reason = "only the server's own page may connect to it"
 
         async def send_guarded(message: "Message") -> None:
             if message["type"] in {"http.response.start", "websocket.http.response.start"}:
@@ -131,7 +131,7 @@ class _Routes:
         except OSError as error:
             return PlainTextResponse(f"the recording cannot be read: {error.strerror or error}\n", 500)
         if not paths:
-            return PlainTextResponse("nothing was recorded yet\n", 404)
+            return PlainTextResponse("nothing has been recorded yet\n", 404)
         headers = {"Content-Disposition": 'attachment; filename="cotouch-recording.zip"', "Cache-Control": "no-store"}
         return StreamingResponse(pieces, media_type="application/zip", headers=headers)
 
@@ -141,7 +141,7 @@ class _Routes:
             return _no_token()
         address, user = self._hub.address, request.query_params.get("user", "1")
         if address is None:
-            return PlainTextResponse("only this computer can open the page; see --page-listen\n", 404)
+            return PlainTextResponse("only this computer can open the page; to change that, use --page-listen\n", 404)
         if user not in {str(number + 1) for number in range(len(self._hub.scene.users))}:
             return PlainTextResponse("there is no such user\n", 404)
         import segno
@@ -156,7 +156,7 @@ class _Routes:
         hub, page = self._hub, Page(socket)
         await socket.accept()
         if not hub.enter(page):
-            await socket.close(_LATER, "too many pages have yet to say what they are")
+            await socket.close(_LATER, "too many pages are still connecting; try again in a moment")
             return
         sender = asyncio.create_task(page.send_all())
         refusal: str | None = None
@@ -165,7 +165,7 @@ class _Routes:
         except PageError as error:
             refusal = str(error)
         except (TimeoutError, WebSocketDisconnect) as error:
-            refusal = "no hello came" if isinstance(error, TimeoutError) else None
+            refusal = "no hello arrived in time" if isinstance(error, TimeoutError) else None
         finally:
             hub.leave(page)
             sender.cancel()
@@ -184,7 +184,7 @@ class _Routes:
             data, text = message.get("bytes"), message.get("text")
             if data is not None:
                 if not page.binary.take(clock()):
-                    raise PageError("too many messages: a page sends at most some 2,000 a second")
+                    raise PageError("too many messages: a page may send about 2,000 a second")
                 read = read_binary(data)
                 if page.hello is None:
                     raise PageError("the first message must be a hello")
@@ -194,7 +194,7 @@ class _Routes:
                     hub.pointed(page, read)
             elif text is not None:
                 if not page.text.take(clock()):
-                    raise PageError("too many messages: a page asks for at most some 100 things a second")
+                    raise PageError("too many messages: a page may send about 100 commands a second")
                 asked = read_text(text)
                 if isinstance(asked, Hello):
                     hub.hello(page, asked)

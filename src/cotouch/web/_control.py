@@ -121,7 +121,7 @@ class Control:
             ]
             if not own:
                 raise SessionError(
-                    f"the pointer's point is {message.point}, which is of no tool that this user can hold"
+                    f"the pointer's point is {message.point}, which is not on a tool that this user can hold"
                 )
             node = own[0]
         pointer = Pointer(

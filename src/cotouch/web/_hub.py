@@ -118,7 +118,9 @@ class Hub:
         if first or (message.slot, acts) != (page.slot, page.acts):
             like = sum(other.hello is not None and other.acts == acts for other in self._pages if other is not page)
             if like >= MOST_PAGES:
-                raise PageError(f"{MOST_PAGES} pages {'with' if acts else 'without'} the token are open; close one")
+                raise PageError(
+                    f"{MOST_PAGES} pages {'with' if acts else 'without'} the token are already open; close one"
+                )
             if not first:
                 self._control.leave(page)
             before, page.acts = page.acts, acts
@@ -197,9 +199,7 @@ class Hub:
         if command is None:
             took = self._control.take(page)
             text = (
-                "this page has the control"
-                if took
-                else "this page acts for nobody here, so there is no control to take"
+                "this page has control" if took else "this page acts for no user here, so there is no control to take"
             )
             page.tell(type="answer", id=message.id, ok=took, text=text)
             self._show_state()
@@ -232,14 +232,14 @@ class Hub:
             return None
         if message.what not in self.scene.may:
             can = ", ".join(sorted(self.scene.may)) or "nothing"
-            raise PageError(f'"{message.what}" cannot be done here; {can} can')
+            raise PageError(f'"{message.what}" is not possible here; possible are {can}')
         if self._control.of(page) == "other":
-            raise PageError("another page has the control; take it over first")
+            raise PageError("another page has control; take over first")
         command = message.command()
         if isinstance(command, MoveHand) and not self._control.free_for(page, command.slot):
             raise PageError(f"another page moves the hand of user {command.slot + 1}")
         if page.answering >= _ASKED:
-            raise PageError(f"{_ASKED} things are being done for this page already; wait until one is done")
+            raise PageError(f"{_ASKED} commands of this page are still running; wait until one is done")
         return command
 
     def _lapse(self, page: Page) -> None:

@@ -43,7 +43,7 @@ def judged(overview: Overview) -> Verdict:
     if overview.ended:
         return Verdict("warn", "the session is over")
     if not known:
-        return Verdict("warn", "nobody moves yet")
+        return Verdict("warn", "no copy is moving yet")
     return (
         _broken(known, names, overview.left)
         or _short(known, names, overview.damping)
@@ -60,7 +60,7 @@ def _broken(known: Sequence[Status], names: dict[int, str], left: bool) -> Verdi
             return Verdict("bad", f"the energy ledger of {names[status.slot]} is off by {off}: do not trust this copy")
     margin = sum(status.supplied + status.initial + status.initial_energies + status.depth for status in known)
     if margin < -_ROUND_OFF and not left:
-        return Verdict("bad", f"not safe: {-margin:.3g} J came out that nobody put in")
+        return Verdict("bad", f"not safe: {-margin:.3g} J came out that nobody had put in")
     return None
 
 
@@ -94,7 +94,7 @@ def _links(known: Sequence[Status]) -> Verdict:
         return Verdict("warn", f"safe: {which} paused, network slow")
     silent = sorted({_name(slot, link) for slot, link in ends if link.state == "waiting" and link.age is not None})
     if silent:
-        which = f"link {silent[0]} hears" if len(silent) == 1 else f"{len(silent)} links hear"
+        which = f"link {silent[0]} receives" if len(silent) == 1 else f"{len(silent)} links receive"
         return Verdict("warn", f"safe: {which} nothing, network slow")
     spare = [
         (1.0 - link.ages / link.budget, _name(slot, link))

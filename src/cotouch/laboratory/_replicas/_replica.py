@@ -157,7 +157,7 @@ def replicate(kind: Replica, prepared: Prepared) -> Moved:
     timing, body, network = prepared.schedule, prepared.body, prepared.scenario.network
     users, steps = timing.count.size, int(timing.count.min())
     if body.nodes != 1 or body.mass.shape != (1, 1) or prepared.touching is not None:
-        raise ScenarioError(f'replica "{kind.name}" moves a point that hands hold; for other bodies take a link law')
+        raise ScenarioError(f'replica "{kind.name}" moves only a point held by hands; for other bodies, use a link law')
     if (timing.length != timing.length.flat[0]).any() or timing.mode != "freshest":
         raise ScenarioError(f'replica "{kind.name}" needs steps of one length for all, and mode "freshest"')
     if len(network.links) != users * (users - 1) // 2:
