@@ -267,8 +267,8 @@ def test_the_study_in_the_documents_can_be_run() -> None:
         ({"colour": 1}, "colour is not an option"),
         ({"duration": 1.0}, "duration is 1.0"),
         ({"period": 0.1}, "period is 0.1 s; in a run of 4 s it must be at most 0.04 s"),
-        ({"laws": [{"name": "a"}]}, r"laws\[1\]: an entry of laws needs one of law and replica"),
-        ({"networks": [{"name": "a", "delay": 0.1, "pick": ["b"]}]}, 'network "a" has pick, which takes users of'),
+        ({"laws": [{"name": "a"}]}, r"laws\[1\]: an entry of laws needs either law or replica"),
+        ({"networks": [{"name": "a", "delay": 0.1, "pick": ["b"]}]}, 'network "a" has pick, which picks users of'),
     ],
 )
 def test_what_is_wrong_with_a_study_is_one_sentence(tables: dict[str, Any], message: str) -> None:

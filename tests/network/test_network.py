@@ -248,7 +248,7 @@ def test_reads_a_file_and_leaves_other_tables_alone(tmp_path):
         (GOOD + "links = [[1, 2], [2, 1]]\n", ["user 1 and user 2", "twice"]),
         (GOOD.replace("4.0], [4.0", "4.0], [5.0"), ["user 1 and user 2", "4 N/m", "5 N/m"]),
         (GOOD.replace('["1", "2"]', "2"), ["users is 2"]),
-        (GOOD.replace('["1", "2"]', "[1, 2]"), ["user 1 is 1", "text"]),
+        (GOOD.replace('["1", "2"]', "[1, 2]"), ["user 1 is 1", "non-empty string"]),
     ],
 )
 def test_refuses_a_file_by_name_and_key(tmp_path, text, words):

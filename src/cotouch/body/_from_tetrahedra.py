@@ -23,8 +23,10 @@ from cotouch.meshfile import read_tetrahedra
 
 # Counted in the file before it is loaded.
 MOST_ELEMENTS: Final = 500_000
-# Of the volume of tetrahedra; more is no rounding.
+# Of the volume of tetrahedra: more that the skin encloses twice is no rounding; and as much may be folded within, as
+# where a mesher left a few slivers inside out.
 _OVERLAP: Final = 1e-3
+_FOLDED: Final = 1e-2
 
 
 def body_from_tetrahedra(
@@ -137,10 +139,11 @@ def body_from_tetrahedra(
     volumes = volumes_of(rest, elements)
     volume = float(volumes.sum())
     skin = boundary_of(rest, elements)
+    twice = doubled(skin.vertices, skin.triangles.astype(np.int64))
     # Of what is folded within, more is counted than the skin encloses.
-    within = float(np.linalg.det(skin.vertices[skin.triangles]).sum()) / 6.0
-    twice = max(doubled(skin.vertices, skin.triangles.astype(np.int64)), volume - within)
-    if twice > _OVERLAP * volume:
+    folded = volume - float(np.linalg.det(skin.vertices[skin.triangles]).sum()) / 6.0
+    if twice > _OVERLAP * volume or folded > _FOLDED * volume:
+        twice = max(twice, folded)
         raise BodyError(
             f"tetrahedra of {name} overlap in {100.0 * twice / volume:.2g} % of their volume; every place must be in "
             "one of them, so mesh the union of the parts"

@@ -160,6 +160,8 @@ def drawn_tools(body: "Body", faces: "CutSkin | None" = None) -> list[tuple[int,
         body: of one or several.
         faces: the skin by which it is drawn, if not by its own.
     """
+    if not body.parts:
+        return []
     each = [part.skin().vertices.shape[0] for part in body.parts] if faces is None else np.diff(faces.vertices).tolist()
     last = np.cumsum(each).tolist()
     return [
