@@ -30,9 +30,9 @@ def test_a_face_that_is_no_plane_is_held_by_a_layer() -> None:
     body = body_from_tetrahedra((rolled, elements), unit="m", ground="z-", ground_stiffness=100.0)
     assert body.origin.held.size >= 3
     assert body.origin.free == 0
-    assert any('The face "z-" is no plane' in note for note in body.origin.notes)
+    assert any('The face "z-" is not flat' in note for note in body.origin.notes)
     flat = body_from_tetrahedra((points, elements), unit="m", ground="x-", ground_stiffness=100.0)
-    assert not any("is no plane" in note for note in flat.origin.notes)
+    assert not any("is not flat" in note for note in flat.origin.notes)
 
 
 def test_moments_of_inertia_beside_closed_forms() -> None:

@@ -198,7 +198,7 @@ def test_body_says_what_was_repaired(shapes: Path, tmp_path: Path) -> None:
     notes = json.loads(done.stdout)["notes"]
     assert notes[0].startswith("1 hole filled")
     assert "flipped" in notes[1]
-    assert "Held by nothing" in notes[-1]
+    assert "Nothing holds it" in notes[-1]
 
 
 @pytest.mark.parametrize(

@@ -91,7 +91,7 @@ def test_sweep_lists_every_run(scenario: Path, tmp_path: Path) -> None:
         (["feel", "SCENARIO", "--user", "3"], "user is 3; the network has users 1 to 2"),
         (["feel", "SCENARIO", "--law", "x"], 'law is "x"; it must be one of'),
         (["sweep", "SCENARIO", "--vary", "link.delay"], '--vary is "link.delay"; it must be OPTION=VALUES'),
-        (["sweep", "SCENARIO", "--vary", "link.delay=1:2"], '"1:2" is no range'),
+        (["sweep", "SCENARIO", "--vary", "link.delay=1:2"], '"1:2" is not a range'),
         (["sweep", "SCENARIO", "--vary", "a=1", "--vary", "a=2"], "--vary names a twice"),
         (["sweep", "SCENARIO", "--vary", "body.colour=1"], "colour"),
     ],
@@ -159,6 +159,6 @@ def test_compare_says_why_a_cell_is_empty(tmp_path: Path) -> None:
     study.write_text(text, encoding="utf-8")
     shown = here("compare", study, "--out", out)
     assert shown.returncode == 0, shown.stderr
-    said = 'wave, near: network "near" has 2 users; 3 are asked for'
+    said = 'wave, near: network "near" has 2 users; 3 are required'
     assert said in shown.stdout
     assert said in json.loads(here("compare", study, "--out", out, "--json").stdout)["problems"]

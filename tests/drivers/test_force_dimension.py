@@ -119,7 +119,7 @@ def test_a_closed_gripper_is_a_button(board: Board, device: ForceDimension, syst
 
 
 def test_another_family_than_asked_for(board: Board, built: Path):
-    with pytest.raises(DeviceError, match=r"device 0 is a omega\.3; it must be a delta"):
+    with pytest.raises(DeviceError, match=r"device 0 is of type omega\.3, but a delta was requested"):
         ForceDimension(family="delta", library=str(built)).open()
     assert board.get("open") == 0
 

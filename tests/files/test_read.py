@@ -42,7 +42,7 @@ def test_what_is_no_ordinary_file_is_a_sentence(tmp_path: Path, reader, suffix: 
 def test_a_session_looks_at_its_mesh(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "a.stl")
     (tmp_path / "s.toml").write_text('body = {kind = "file", file = "a.stl", unit = "m"}\nsession = {users = 2}\n')
-    with pytest.raises(SessionError, match=r"the mesh .*a.stl cannot be read: it is a pipe"):
+    with pytest.raises(SessionError, match=r"the file .*a.stl cannot be read: it is a pipe"):
         SessionFile.read(tmp_path / "s.toml")
 
 

@@ -43,7 +43,7 @@ def test_who_starts_anew_after_a_crash_gets_a_later_epoch_too():
 def test_exactly_one_end_begins(side: int):
     ends = agreements(*identities())
     assert [end.initiator for end in ends] == [True, False]
-    with pytest.raises(SessionError, match="does not begin"):
+    with pytest.raises(SessionError, match="does not start the agreement"):
         ends[1].start()
 
 

@@ -196,7 +196,7 @@ class Script:
         assert [read_recording(path).steps >= 1 for path in api.recorded()] == [True] * 3
 
         api.do(Kill(slot=2))
-        with pytest.raises(SessionError, match="does not run"):
+        with pytest.raises(SessionError, match="is not running"):
             api.do(Kill(slot=2))
         yield lambda: not api.overview().alive[2]
         invitation = api.scene.invitation

@@ -125,7 +125,7 @@ def test_every_joule_is_somewhere(here: World) -> None:
     heads = page.evaluate(
         "() => [...document.querySelectorAll('#energy thead th')].slice(1).map((one) => one.textContent)"
     )
-    wanted = ["hands", "+ links", "+ start", "+ shares", "− damped", "− in copy", "= residual"]
+    wanted = ["hands", "+ links", "+ start", "+ shares", "− damped", "− in copy", "= rest"]
     assert [" ".join(head.split()) for head in heads] == wanted
     for row in rows:
         hands, links, start, shared, damped, stored, left = row

@@ -73,7 +73,7 @@ const COLUMNS: { key: keyof Row; words: string; sign: string; tip: string }[] = 
   { key: "shared", words: "shares", sign: "+", tip: "Gained or lost as members joined and left, which changes each copy’s share of the object" },
   { key: "damped", words: "damped", sign: "−", tip: "Lost in this copy’s dampers" },
   { key: "stored", words: "in copy", sign: "−", tip: "In this copy now, in motion and in springs" },
-  { key: "residual", words: "residual", sign: "=", tip: "Left over: rounding" },
+  { key: "residual", words: "rest", sign: "=", tip: "The residual: rounding" },
 ];
 
 const UNITS: readonly [number, string][] = [[1e3, "kJ"], [1, "J"], [1e-3, "mJ"], [1e-6, "µJ"], [1e-9, "nJ"]];

@@ -244,4 +244,4 @@ class ForceDimension:
 
 def _check_family(index: int, family: str, product: str, wanted: str | None) -> None:
     if wanted is not None and wanted != family:
-        raise DeviceError(f"the Force Dimension device {index} is a {product}; but a {wanted} was requested")
+        raise DeviceError(f"the Force Dimension device {index} is of type {product}, but a {wanted} was requested")

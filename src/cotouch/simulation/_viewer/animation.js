@@ -1,4 +1,4 @@
-/*! cotouch animation; sources f519293d766180bd7a4d503269ab8366a713c2cd093b040b5c5719431c65836a; with three.js:
+/*! cotouch animation; sources e86b1d3992d5ebed598c805dffe04fb022b95753748aee2c1221ac9d214b13c3; with three.js:
 The MIT License
 
 Copyright © 2010-2026 three.js authors
