@@ -18,6 +18,7 @@ HELD = {
     "path": pressed(0.004, [0.15, 0.004, 0, -0.004, 0, 0, 0.3]),
 }
 PRESSES: dict[str, Any] = {"at": MIDDLE, **PLATE, "hand": HELD}
+OMEGA = {"device": {"preset": "omega", "rate": 437}}
 BLADE: dict[str, Any] = {
     "user": 2,
     "kind": "blade",
@@ -47,7 +48,10 @@ def ran(tools: list[dict[str, Any]], cutting: dict[str, Any]) -> tuple[Any, Body
     return run, prepared.body
 
 
-@pytest.mark.parametrize("device", [{}, {"device": {"preset": "omega", "rate": 437}}], ids=["hand", "device"])
+@pytest.mark.parametrize(
+    "device",
+    [pytest.param({}, marks=pytest.mark.thorough, id="hand"), pytest.param(OMEGA, id="device")],
+)
 def test_a_blade_cuts_what_a_plate_presses(device: dict[str, Any]) -> None:
     run, built = ran([PRESSES | device, BLADE], {"toughness": TOUGHNESS, "users": [2]})
     assert run["cut_elements"].values[:, -1].tolist() == [8.0, 8.0]  # a row of four cubes, two high
@@ -66,6 +70,7 @@ def test_a_blade_cuts_what_a_plate_presses(device: dict[str, Any]) -> None:
         assert np.abs(run["device_force"].values).max() > 0.5
 
 
+@pytest.mark.thorough
 def test_a_pin_that_is_pressed_in_tears() -> None:
     """Who has the pin decides, the other follows."""
     pin = {"user": 1, "kind": "box", "size": [0.006, 0.006, 0.03], "mass": 0.05, "resolution": 1}
