@@ -168,7 +168,7 @@ def resting(weighed: Float) -> bool:
 def next_length(length: float, least: float, greatest: float) -> float:
     """How far the next attempt at a step goes: halfway between what is too little and what is too much.
 
-    As a step gets shorter, β² grows from below 1 to far above it, so that somewhere between it is 1 (docs/theory.md).
+    As a step gets shorter, β² grows from below 1 to far above it, so that somewhere between it is 1 (DESIGN.md).
 
     Args:
         length: of the attempt before, of the way that the direction asked for.
