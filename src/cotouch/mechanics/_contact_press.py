@@ -13,14 +13,14 @@ from typing import Any
 from cotouch.mechanics._contact_law import press
 from cotouch.mechanics._contact_patch import press_triangle
 from cotouch.mechanics._contact_relief import press_relief
-from cotouch.mechanics._contact_skin import forget_hits, note_hit
+from cotouch.mechanics._contact_skin import forget_hits, note_hit, place_bead, place_face
 from cotouch.mechanics._contact_snap import draw_tool
-from cotouch.mechanics._contact_sweep import bead_place, beads
+from cotouch.mechanics._contact_sweep import beads
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import Tools
-from cotouch.mechanics._vector import FOUR, load, lower, splat, store, total, upper
+from cotouch.mechanics._vector import FOUR, load, splat, store
 
 # A stretch of friction that lies this much across the skin, of its length, has no direction along it.
 _ACROSS = 1e-3
@@ -76,26 +76,14 @@ def _sum(
 ) -> tuple[float, float]:
     """`press_tool` on a skin that lacks nothing; and the sum of what triangles lack times their energy [Jm/N]."""
     corner, soft = surface.corner, surface.soft
-    near, place, rate, spot, out, mean = work.near, work.fit.place, work.rate, work.spot, work.out, work.mean
+    near, spot, out = work.near, work.spot, work.out
     faces, energy, stiffness, radius = near.shape[1], 0.0, tools.stiffness[t], tools.radius[t]
     lacking, reach = 0.0, radius + surface.relief.top
     for bead in range(beads(tools, t)):
-        along = bead_place(tools, t, bead)
-        for a in range(3):
-            spot[3, a] = tools.place[t, a] + along * tools.axis[t, a] + time * mean[t, a]
-        spot[3, 3] = 0.0
-        middle = load(spot, 3, FOUR)
+        place_bead(work, tools, t, bead, time)
         for c in range(work.number[t]):
             f = near[t, c]
-            low = high = load(place, corner[f, 0], FOUR) + time * load(rate, corner[f, 0], FOUR)
-            store(spot, 0, low, FOUR)
-            for q in range(1, 3):
-                moved = load(place, corner[f, q], FOUR) + time * load(rate, corner[f, q], FOUR)
-                store(spot, q, moved, FOUR)
-                low, high = lower(low, moved), upper(high, moved)
-            gap = upper(upper(low - middle, middle - high), splat(0.0, FOUR))
-            apart = total(gap * gap)
-            if apart >= reach * reach:
+            if place_face(work, f, corner, time) >= reach * reach:
                 continue
             for q in range(4):
                 store(out, q, splat(0.0, FOUR), FOUR)

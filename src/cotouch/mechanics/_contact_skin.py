@@ -3,13 +3,14 @@
 
 import math
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.mechanics._contact_near import touched
+from cotouch.mechanics._contact_sweep import bead_place
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._surface import Surface, box_distance, place_vertex
 from cotouch.mechanics._tools import Tools
-from cotouch.mechanics._vector import FOUR, at, load, splat, store, total, upper
+from cotouch.mechanics._vector import FOUR, at, load, lower, splat, store, total, upper
 
 
 @part
@@ -77,6 +78,34 @@ def look_around(
                 count += 1
                 least = min(least, gap)
     work.number[t], work.clear[t] = count, math.sqrt(least)
+
+
+@part
+def place_bead(work: ContactWork, tools: Tools, t: int, bead: int, time: float) -> None:
+    """Writes where one ball of a tool is after it moved for some time, into row 3 of `spot`."""
+    along, spot = bead_place(tools, t, bead), work.spot
+    for a in range(3):
+        spot[3, a] = tools.place[t, a] + along * tools.axis[t, a] + time * work.mean[t, a]
+    spot[3, 3] = 0.0
+
+
+@part
+def place_face(work: ContactWork, face: int, corner: Int, time: float) -> float:
+    """Writes where the corners of a triangle are after they moved for some time, into rows 0 to 2 of `spot`.
+
+    Returns:
+        Square of the distance of the point in row 3 from the box around them [m²].
+    """
+    place, rate, spot = work.fit.place, work.rate, work.spot
+    middle = load(spot, 3, FOUR)
+    low = high = load(place, corner[face, 0], FOUR) + time * load(rate, corner[face, 0], FOUR)
+    store(spot, 0, low, FOUR)
+    for q in range(1, 3):
+        moved = load(place, corner[face, q], FOUR) + time * load(rate, corner[face, q], FOUR)
+        store(spot, q, moved, FOUR)
+        low, high = lower(low, moved), upper(high, moved)
+    gap = upper(upper(low - middle, middle - high), splat(0.0, FOUR))
+    return total(gap * gap)
 
 
 @part

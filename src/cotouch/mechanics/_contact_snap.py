@@ -13,13 +13,13 @@ from math import pi
 from cotouch.arrays import Float
 from cotouch.mechanics._contact_foundation import Foundation, stiffness_of
 from cotouch.mechanics._contact_patch import press_triangle
-from cotouch.mechanics._contact_skin import note_hit
-from cotouch.mechanics._contact_sweep import bead_place, beads
+from cotouch.mechanics._contact_skin import note_hit, place_bead, place_face
+from cotouch.mechanics._contact_sweep import beads
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import Tools
-from cotouch.mechanics._vector import FOUR, load, lower, splat, store, total, upper
+from cotouch.mechanics._vector import FOUR, splat, store
 
 # A change by more than this share of pull-off force and range was made from outside, and is no rounding.
 _CHANGED = 1e-9
@@ -89,25 +89,14 @@ def draw_tool(
         The energy, and the sum of the sizes of what it is the difference of [J].
     """
     corner, near = surface.corner, work.near
-    place, rate, spot, drawn, mean = work.fit.place, work.rate, work.spot, work.drawn, work.mean
+    spot, drawn = work.spot, work.drawn
     reach = tools.radius[t] + tools.snap_range[t]
     energy, size = 0.0, 0.0
     for bead in range(beads(tools, t)):
-        along = bead_place(tools, t, bead)
-        for a in range(3):
-            spot[3, a] = tools.place[t, a] + along * tools.axis[t, a] + time * mean[t, a]
-        spot[3, 3] = 0.0
-        middle = load(spot, 3, FOUR)
+        place_bead(work, tools, t, bead, time)
         for c in range(work.number[t]):
             f = near[t, c]
-            low = high = load(place, corner[f, 0], FOUR) + time * load(rate, corner[f, 0], FOUR)
-            store(spot, 0, low, FOUR)
-            for q in range(1, 3):
-                moved = load(place, corner[f, q], FOUR) + time * load(rate, corner[f, q], FOUR)
-                store(spot, q, moved, FOUR)
-                low, high = lower(low, moved), upper(high, moved)
-            gap = upper(upper(low - middle, middle - high), splat(0.0, FOUR))
-            if total(gap * gap) >= reach * reach:
+            if place_face(work, f, corner, time) >= reach * reach:
                 continue
             size += draw_triangle(
                 tools.snap[t],
