@@ -182,8 +182,8 @@ class Admission:
         here = sum(self._at.get(entry.key) == address for entry in roster.members)
         if here >= self._each:
             return (
-                f"{here} slots are already taken from {address}, and one address may take {self._each}; the host can "
-                "allow more with session.per_address"
+                f"{address} already has {here} of the {self._each} slots that one address may take; the host can allow "
+                "more with session.per_address"
             )
         owners = set(roster.owners().values())
         if key not in owners and sum(self._at.get(owner) == address for owner in owners) >= _NAMES_EACH:
