@@ -1,7 +1,7 @@
 """Where a body's skin meets what stands still around it: points, the area of each, and the rows that carry them."""
 
 from collections.abc import Sequence
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -31,6 +31,14 @@ _WITHIN, _ALIKE = 0.025, 0.8
 _ROUNDING = 10.0
 
 
+class _Thin(NamedTuple):
+    """How thin something is [m], its name, and how many times that others' points may be apart, of what may be."""
+
+    size: float
+    name: str
+    share: float
+
+
 def world_of(
     body: Body, obstacles: Sequence[Obstacle], between: Between | None, order: Int | None, first: int
 ) -> tuple[World, int]:
@@ -54,13 +62,15 @@ def world_of(
     solids = solids_of(obstacles, body)
     shaped = [(one, one.shape) for one in obstacles if not isinstance(one.shape, Solid)]
     still = [one.shape for one in solids if isinstance(one.shape, Solid)]
-    thin = [shape.thickness() for _, shape in shaped]
+    thin = [_Thin(shape.thickness(), "an obstacle", 1.0) for _, shape in shaped]
     if between is not None:
-        thin += [_BODY * thickness_of(one.vertices) for one in (*(part.skin() for part in body.parts), *still)]
+        thin += [_Thin(thickness_of(part.skin().vertices), part.name, _BODY) for part in body.parts]
+        thin += [_Thin(thickness_of(one.vertices), "a solid obstacle", _BODY) for one in still]
+    thinnest = min(thin, key=lambda one: one.share * one.size)
     faces = cut_skin(body) if body.cut_count else None
     skin = body.skin if faces is None else faces.skin
     weight = sp.csr_array(skin.interpolation(body.nodes))
-    places, area, carry, parted = _points(skin.vertices, skin.triangles, weight, faces, min(thin))
+    places, area, carry, parted = _points(skin.vertices, skin.triangles, weight, faces, thinnest)
     of, moves = np.zeros(places.shape[0], dtype=np.int32), places.shape[0]
     if between is not None:  # point after point of each body
         of = part_of_nodes(body)[carry.indices[carry.indptr[:-1]]]
@@ -71,7 +81,7 @@ def world_of(
         carry, parted = sp.csr_array(carry[sort]), sp.csr_array(parted[sort])
     for number, solid in enumerate(still, start=len(body.parts)):
         bare = sp.csr_array((solid.vertices.shape[0], body.nodes))
-        more, beside, _, _ = _points(solid.vertices, solid.triangles, bare, None, min(thin))
+        more, beside, _, _ = _points(solid.vertices, solid.triangles, bare, None, thinnest)
         places, area = np.concatenate([places, more]), np.concatenate([area, beside])
         carry, parted = _with_empty(carry, more.shape[0]), _with_empty(parted, more.shape[0])
         of = np.append(of, np.full(more.shape[0], number, dtype=np.int32))
@@ -143,7 +153,7 @@ def _with_empty(matrix: sp.csr_array, rows: int) -> sp.csr_array:
 
 
 def _points(
-    vertices: Float, triangles: Int, carry: sp.csr_array, faces: CutSkin | None, thinnest: float
+    vertices: Float, triangles: Int, carry: sp.csr_array, faces: CutSkin | None, thinnest: _Thin
 ) -> tuple[Float, Float, sp.csr_array, sp.csr_array]:
     """Vertices of a skin, its triangles halved until no obstacle fits between: places, areas, and what carries them.
 
@@ -156,11 +166,12 @@ def _points(
     corners, places = np.asarray(triangles, dtype=np.int64), np.asarray(vertices, dtype=np.float64)[:, :3]
     origin: Corners = np.arange(corners.shape[0], dtype=np.int64)
     longest = float(np.linalg.norm(places[corners] - places[np.roll(corners, -1, axis=1)], axis=2).max())
-    while longest > _APART * thinnest:
+    apart = _APART * thinnest.share * thinnest.size
+    while longest > apart:
         if 4 * places.shape[0] > MOST_POINTS:
             raise BodyError(
-                f"an obstacle is {thinnest:g} m thin, but the triangles of the skin are up to {longest:.3g} m long; "
-                "make it thicker, or the mesh finer"
+                f"{thinnest.name} is {thinnest.size:.3g} m thin, so points of a skin that may meet it must be at most "
+                f"{apart:.3g} m apart, which takes more than {MOST_POINTS:,}; make it thicker, or the skin smaller"
             )
         places, corners, carry = _halved(places, corners, carry)
         origin = np.tile(origin, 4)
