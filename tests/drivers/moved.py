@@ -5,7 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cotouch.drivers._recorded import RecordedHand
+from cotouch.drivers import RECORDED
+from cotouch.haptics import Device
 
 
 class Moved(NamedTuple):
@@ -15,5 +16,5 @@ class Moved(NamedTuple):
     time: np.ndarray
     place: np.ndarray
 
-    def device(self) -> RecordedHand:
-        return RecordedHand(self.path, tool=2)
+    def device(self) -> Device:
+        return RECORDED.make(path=str(self.path), tool=2)

@@ -11,9 +11,7 @@ from tests.drivers.driving import PUSH, fails, is_sentence, push, ready
 from tests.drivers.standin import Board, Fault, Service
 from tests.stalls import Stalls
 
-from cotouch.drivers._force_dimension import ForceDimension
-from cotouch.drivers._inverse import Inverse3
-from cotouch.drivers._touch import Touch
+from cotouch.drivers import FORCE_DIMENSION, HAPLY, TOUCH
 from cotouch.errors import DeviceError
 from cotouch.haptics import Device, Flag
 
@@ -47,7 +45,7 @@ def gone(device: Device, board: Board, fault: Fault, value: float, words: str, s
     ],
 )
 def test_inverse3(service: Service, fault: Fault, value: float, words: str, stalls: Stalls):
-    gone(Inverse3(url=service.url, events=service.events), service.board, fault, value, words, stalls)
+    gone(HAPLY.make(url=service.url, events=service.events), service.board, fault, value, words, stalls)
 
 
 @pytest.mark.parametrize(
@@ -62,7 +60,7 @@ def test_inverse3(service: Service, fault: Fault, value: float, words: str, stal
     ],
 )
 def test_force_dimension(board: Board, built: Path, fault: Fault, value: float, words: str, stalls: Stalls):
-    gone(ForceDimension(library=str(built)), board, fault, value, words, stalls)
+    gone(FORCE_DIMENSION.make(library=str(built)), board, fault, value, words, stalls)
 
 
 @pytest.mark.parametrize(
@@ -79,7 +77,7 @@ def test_force_dimension(board: Board, built: Path, fault: Fault, value: float, 
     ],
 )
 def test_touch(board: Board, built: Path, fault: Fault, value: float, words: str, stalls: Stalls):
-    gone(Touch(library=str(built)), board, fault, value, words, stalls)
+    gone(TOUCH.make(library=str(built)), board, fault, value, words, stalls)
 
 
 KINDS = ["haply", "force_dimension", "touch"]
@@ -90,11 +88,11 @@ def pair(request: pytest.FixtureRequest) -> Generator[tuple[Device, Board]]:
     """A device of each kind with its stand-in."""
     if request.param == "haply":
         service: Service = request.getfixturevalue("service")
-        device, board = Inverse3(url=service.url, events=service.events), service.board
+        device, board = HAPLY.make(url=service.url, events=service.events), service.board
     else:
         built, board = request.getfixturevalue("built"), request.getfixturevalue("board")
-        made = {"force_dimension": lambda: ForceDimension(library=str(built))}
-        device = made.get(request.param, lambda: Touch(library=str(built)))()
+        made = {"force_dimension": lambda: FORCE_DIMENSION.make(library=str(built))}
+        device = made.get(request.param, lambda: TOUCH.make(library=str(built)))()
     yield device, board
     device.close()
 
@@ -142,7 +140,7 @@ def test_stop_from_another_thread_while_the_loop_goes_on_pushing(pair: tuple[Dev
         last = push(device, 100)  # the loop knows nothing of it
         thread.join()
         assert not last.flags & Flag.FORCE_ON
-        assert not np.any(board.get("motor" if isinstance(device, Inverse3) else "force"))  # nor is any asked for
+        assert not np.any(board.get("motor" if device.spec.name == HAPLY.spec.name else "force"))  # nor is any asked for
         stalls.within(stopped[0], board.zero_after(stopped[0]))
         device.enable_force()
         wanted = pytest.approx(float(np.linalg.norm(PUSH)), rel=1e-5)

@@ -11,11 +11,11 @@ from pathlib import Path
 import numpy as np
 import psutil
 import pytest
+from scipy.spatial.transform import Rotation
 from tests.hands.led import Led
 
 from cotouch.errors import DeviceError, SessionError
 from cotouch.hands import DeviceHand
-from cotouch.hands._turning import product
 from cotouch.haptics import CouplingChoice
 from cotouch.mechanics import END
 from cotouch.members import SessionFile, SharedModel, Slot
@@ -239,7 +239,9 @@ def test_a_device_that_says_how_it_is_turned_turns_its_tool():
     for k in range(1, 401):
         half = 0.01 * min(k - 1, 200)
         upright = (0.0, 0.0, float(np.sin(half)), float(np.cos(half)))
-        link.orientation = None if k > 300 else product(upright, tilt)
+        link.orientation = (
+            None if k > 300 else tuple((Rotation.from_quat(upright) * Rotation.from_quat(tilt)).as_quat())
+        )
         hand.before(2e-3 * k, 2e-3)
         residual = abs(float(peer.step(2e-3 * k, 2e-3).residual))
         hand.after()

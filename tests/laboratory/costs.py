@@ -2,9 +2,7 @@
 
 from typing import Any
 
-from cotouch.laboratory import Study
-from cotouch.laboratory._ideal import ideal
-from cotouch.laboratory._score import measured
+from cotouch.laboratory import Study, ideal, measured
 from cotouch.simulation import prepare
 
 DELAY = 0.025

@@ -14,11 +14,10 @@ from scipy import stats
 from tests.laws.scenes import law_of
 
 from cotouch.errors import ScenarioError
-from cotouch.laboratory import MEASURES, Study, compare, mean_cost, write_report
+from cotouch.laboratory import MEASURES, Study, compare, ideal, mean_cost, measured, write_report
 from cotouch.laboratory._compare import danger
-from cotouch.laboratory._ideal import ideal
 from cotouch.laboratory._noticed import losing, multiples
-from cotouch.laboratory._score import dangerous, measured
+from cotouch.laboratory._score import dangerous
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, spread
 from cotouch.laboratory._tasks import TASKS
 from cotouch.laboratory._tune import harmless, tune

@@ -4,10 +4,7 @@ import numpy as np
 import pytest
 
 from cotouch.arrays import Float
-from cotouch.laboratory import Study
-from cotouch.laboratory._ideal import ideal
-from cotouch.laboratory._quality import etvo, hpw_psnr, psnr
-from cotouch.laboratory._score import measured
+from cotouch.laboratory import Study, etvo, hpw_psnr, ideal, measured, psnr
 from cotouch.simulation import prepare
 
 TIME = np.arange(0.0, 4.0, 1e-3)[:, None]

@@ -8,11 +8,10 @@ import pytest
 from tests.laws.scenes import PASSIVE, law_of
 
 from cotouch.errors import ScenarioError
-from cotouch.laboratory import Study
+from cotouch.laboratory import Study, ideal, measured
 from cotouch.laboratory._compare import drawn, score
-from cotouch.laboratory._ideal import ideal
 from cotouch.laboratory._replicas import REPLICAS, Moved, replicate
-from cotouch.laboratory._score import dangerous, measured
+from cotouch.laboratory._score import dangerous
 from cotouch.laboratory._study import tunable
 from cotouch.laboratory._study_tables import HandKind, LawTable, NetworkTable
 from cotouch.laboratory._tune import tune

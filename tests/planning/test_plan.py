@@ -12,7 +12,6 @@ from cotouch import plan
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.network import Network, complete, connected_graphs, mixing, rightmost_root, ring, rule_damping
 from cotouch.planning import PlanInterrupted, survey
-from cotouch.planning._starts import WALKS
 
 TABLE = [
     ("consensus", "equation", "12 14 23 24 34 45", 0.993061, None, 1.0, 7),
@@ -192,7 +191,7 @@ def test_out_of_time_in_the_middle_of_every_flood_gives_what_they_hold():
     assert found.status == "best found"
     assert rounds[0][2] < math.inf, "the first start is worked out before its flood"
     assert len(rounds) < 20
-    assert found.graphs > WALKS, "beside the first starts, what a flood held is worked out at the end"
+    assert found.graphs > 8, "beside the first starts, what a flood held is worked out at the end"
     assert found.best.value <= rounds[0][2]
     assert found.best.value == pytest.approx(rightmost_root(network.with_links(found.best.links)).rate, rel=1e-9)
 

@@ -4,9 +4,11 @@ from cotouch.laboratory._cells import Progress
 from cotouch.laboratory._compare import compare
 from cotouch.laboratory._compare_report import write_report
 from cotouch.laboratory._feel_figure import impedance_figure
+from cotouch.laboratory._ideal import Ideal, ideal
 from cotouch.laboratory._impedance import Others, impedance
 from cotouch.laboratory._noticed import mean_cost
-from cotouch.laboratory._score import MEASURES
+from cotouch.laboratory._quality import etvo, hpw_psnr, psnr
+from cotouch.laboratory._score import MEASURES, measured
 from cotouch.laboratory._study import Study
 from cotouch.laboratory._sweep import FIGURES, sweep, values_of, varied
 from cotouch.laboratory._trials import Books, Found, books, searched, touching, trial
@@ -16,14 +18,20 @@ __all__ = [
     "MEASURES",
     "Books",
     "Found",
+    "Ideal",
     "Others",
     "Progress",
     "Study",
     "books",
     "compare",
+    "etvo",
+    "hpw_psnr",
+    "ideal",
     "impedance",
     "impedance_figure",
     "mean_cost",
+    "measured",
+    "psnr",
     "searched",
     "sweep",
     "touching",
