@@ -6,7 +6,7 @@ from cotouch.arrays import Float
 from cotouch.mechanics._force import BodyForce, evaluate
 from cotouch.mechanics._force_together import undo
 from cotouch.mechanics._kernel import inner, part
-from cotouch.mechanics._matrix3 import SWEEPS
+from cotouch.mechanics._nearest import SWEEPS
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import (
     BETA,
