@@ -6,7 +6,7 @@ from tests.mechanics.materials import EVERY, FLOATS, Alone, bent, energy_at, mad
 
 from cotouch.body import Placed, together
 from cotouch.mechanics import ELASTIC, KINETIC, SHORTENED
-from cotouch.mechanics._matrix3 import SWEEPS
+from cotouch.mechanics._nearest import SWEEPS
 
 # Of forty steps, so many may leave a body where it is; which ones, rounding decides.
 FEW = 8
@@ -54,3 +54,18 @@ def test_rotations_are_those_of_the_place_however_far_a_step_turns(name: str) ->
     once, _ = energy_at(copy.force, memory, x, ahead, still, SWEEPS, copy.model.lanes)
     again, _ = energy_at(copy.force, memory, ahead, ahead, still, 60, copy.model.lanes)
     assert once == pytest.approx(again, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", ["cells", "corotated", "floating", "elastic floating"])
+def test_energy_of_what_is_inside_out_is_that_of_its_place(name: str) -> None:
+    """Whatever it went through to get there; sweeps alone end at saddles, and another history at other ones."""
+    body = made(name)
+    copy, rng = Alone(body), np.random.default_rng(6)
+    size = float(np.ptp(body.rest, axis=0).max())
+    places = [copy.rows(rng.normal(scale=size, size=body.rest.shape)) for _ in range(12)]
+    still, lanes = copy.rows(np.zeros_like(body.rest)), copy.model.lanes
+    fresh, used = copy.model.unturned(), copy.state.memory
+    for before, place in zip(places[-1:] + places[:-1], places, strict=True):
+        followed, _ = energy_at(copy.force, used, before, place, still, SWEEPS, lanes)
+        at_once, _ = energy_at(copy.force, fresh.copy(), place, place, still, 60, lanes)
+        assert followed == pytest.approx(at_once, rel=1e-12)

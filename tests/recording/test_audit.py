@@ -239,6 +239,16 @@ def test_a_body_that_turns_far_within_long_steps_holds(tmp_path: Path, every: in
     assert result.holds, result.verdict
 
 
+def test_a_body_that_is_pulled_inside_out_holds(tmp_path: Path) -> None:
+    body = lattice((4, 3, 3), model="cells", mass=0.012, stiffness=100.0, spacing=0.01)
+    hard = {0: pulled(amplitude=0.5, stiffness=900.0)}
+    driven = Driven(
+        tmp_path, body=body, periods=(0.013, 0.028), spring=2.0, seconds=3.0, hands=hard, options={"every": 8}
+    )
+    result = audited(driven)
+    assert result.holds, result.verdict
+
+
 def test_a_kick_is_found_between_kept_states(tmp_path: Path) -> None:
     def kick(peer: Peer, now: float) -> None:
         if peer.index == 0 and peer.steps == 103:

@@ -6,7 +6,7 @@ from cotouch.arrays import Float
 from cotouch.mechanics._force import BodyForce, evaluate
 from cotouch.mechanics._force_together import undo
 from cotouch.mechanics._kernel import inner, part
-from cotouch.mechanics._matrix3 import SWEEPS
+from cotouch.mechanics._nearest import SWEEPS
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import (
     BETA,
@@ -28,8 +28,8 @@ from cotouch.mechanics._world_force import grain_of, tell_world, unsettled, weig
 # Places in a memory: energy of the law, half of vᵀMv, what rounding left unbalanced, and energy at obstacles, all for
 # the whole body [J].
 ENERGY, MOTION, LEFT, AT_WORLD = 0, 1, 2, 3
-# Places in what `weigh` finds.
-TARGET, HAVE, ABOUT, NOISE, LAW, ROUGH, OUTSIDE, PASSED, GRAIN = range(9)
+# Places in what `weigh` finds; the last says whether something outside holds the body.
+TARGET, HAVE, ABOUT, NOISE, LAW, ROUGH, OUTSIDE, PASSED, GRAIN, FIXED = range(10)
 # β² outside of this asks for another direction, then for a shorter step.
 LEAST, MOST = 0.8, 1.25
 # The first attempts at a step are told apart by their direction, the others by their length; this is the last.
@@ -39,6 +39,8 @@ _ROUNDING = 4e-15
 # Who has less than the first share of its energy about its own centre, and would be changed by more than the second if
 # it made up for what it lacks by itself, does so as a whole where it meets an obstacle, or with those that touch it.
 HARDLY, MUCH = 1e-4, 1e-3
+# Who is free may be changed as a whole, and with it its momentum, by less than this share of its energy.
+SLIGHT = 1e-6
 # Below this share of the kinetic energy, motion about the centre of mass is too little to balance anything with.
 RIGID = 1e-9
 
@@ -182,8 +184,9 @@ def next_length(length: float, least: float, greatest: float) -> float:
 def square_of(weighed: Float, rest: bool) -> tuple[float, bool]:
     """β² that closes the step that was weighed, and whether it acts about the centre of mass.
 
-    It acts about rest where nothing moves about the centre, and, if it may, where it would not do about the centre; and
-    where what meets an obstacle slides as a whole, hardly moving about its centre: that takes momentum anyway.
+    It acts about rest where nothing moves about the centre; if it may, where it would not do about the centre and
+    something outside holds the body, or hardly anything is lacking; and where what meets an obstacle slides as a whole,
+    hardly moving about its centre: that takes momentum anyway.
     """
     target, kinetic, about = weighed[TARGET], weighed[HAVE], weighed[ABOUT]
     square, still = -1.0, about <= RIGID * kinetic
@@ -191,6 +194,7 @@ def square_of(weighed: Float, rest: bool) -> tuple[float, bool]:
         square = 1.0 + (target - kinetic) / about
         if weighed[OUTSIDE] > 0.0 and about <= HARDLY * kinetic and not abs(square - 1.0) <= MUCH:
             still = abs(target - kinetic) <= MUCH * kinetic
+    rest = rest and (weighed[FIXED] != 0.0 or abs(target - kinetic) <= SLIGHT * kinetic)
     if kinetic > 0.0 and (still or (rest and not LEAST <= square <= MOST)):
         whole = target / kinetic
         if still or LEAST <= whole <= MOST:

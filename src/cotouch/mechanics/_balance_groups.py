@@ -22,6 +22,7 @@ from cotouch.mechanics._balance import (
     OUTSIDE,
     RIGID,
     ROUGH,
+    SLIGHT,
     TARGET,
     next_length,
 )
@@ -34,9 +35,10 @@ from cotouch.mechanics._vector import at, put
 # Numbers of each body: mass, momentum, kinetic energy, what it lacks, what of its energy is about its centre, how much
 # energy went to and fro; the factor on its velocity, the velocity about which that acts; whether it shares with others
 # what it lacks, and by which factor it goes further in the next attempt, 0: its group is closed, `STILL`: it moves by
-# nothing but rounding. What attempts keep: how far it went, and how far was too little and too much.
+# nothing but rounding. What attempts keep: how far it went, how far was too little
+# and too much, whether something outside holds it, and one that it has been of one group with.
 MASS, MOMENTUM, MOVING, LACKS, ABOUT, FLOW, FACTOR, CENTRE, SHARES, OPEN = 0, 1, 4, 5, 6, 7, 8, 9, 12, 13
-LENGTH, TOO_LITTLE, TOO_MUCH = 14, 15, 16
+LENGTH, TOO_LITTLE, TOO_MUCH, TIED, WITH = 14, 15, 16, 17, 18
 STILL = -1.0
 # An attempt that is the last in any case: who passed another has done so.
 LAST_OF_ALL = LAST_ATTEMPT + 1
@@ -146,7 +148,8 @@ def decide(parts: Parts | None, weighed: Float, attempt: int, others: bool) -> t
         elif not closed:
             square, whole, lacks, mass, x, y, z = _sum(parts, group, False)
             central, still = LEAST <= square <= MOST, square == -math.inf
-            rests = not central and (still or attempt > 0) and LEAST <= whole <= MOST
+            held = attempt > 0 and (is_tied(parts, group) or abs(whole - 1.0) <= SLIGHT)
+            rests = not central and (still or held) and LEAST <= whole <= MOST
             closed = central or rests or (abs(lacks) <= rounded and max(square, whole) >= 0.0)
             closed = closed or attempt >= LAST_ATTEMPT
             if rests or square < 0.0:
@@ -184,6 +187,15 @@ def start_attempts(parts: Parts | None) -> None:
             put(parts.sums, (b, LENGTH), 1.0)
             put(parts.sums, (b, TOO_LITTLE), 0.0)
             put(parts.sums, (b, TOO_MUCH), math.inf)
+
+
+@part
+def is_tied(parts: Parts, group: int) -> bool:
+    """Whether a tool, or something outside, holds any of a group."""
+    for b in range(parts.held.shape[0]):
+        if at(parts.met.group, b) == group and (at(parts.sums, (b, TIED)) != 0.0 or at(parts.held, b) != 0):
+            return True
+    return False
 
 
 @inner

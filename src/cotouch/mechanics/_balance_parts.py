@@ -14,22 +14,21 @@ from cotouch.mechanics._balance_groups import (
     ABOUT,
     FLOW,
     LACKS,
-    LENGTH,
     MASS,
     MOMENTUM,
     MOVING,
     OPEN,
-    STILL,
     decide,
     held_together,
     scale_parts,
 )
+from cotouch.mechanics._balance_length import join_met
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Parts
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import Links, Ports, State, Workspace
-from cotouch.mechanics._vector import at, load, put, splat, store, total
+from cotouch.mechanics._vector import at, load, put, total
 
 
 @part
@@ -72,6 +71,7 @@ def close_all(
     """
     if force.parts is None:
         return close(op, state, attempt, work, ledger, lanes)
+    join_met(force.world, force.parts)
     _share_out(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, push, spare, work, lanes)
     good, worst = decide(force.parts, work.weighed, attempt, False)
     if good:
@@ -121,6 +121,7 @@ def judge(
     if force.parts is None:
         square, _ = square_of(weighed, False)
         return weighed[TARGET] - weighed[HAVE], square, weighed[PASSED] != 0.0, False
+    join_met(force.world, force.parts)
     _hold_groups(force.parts)
     _share_out(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, push, spare, work, lanes)
     good, _ = decide(force.parts, weighed, attempt, True)
@@ -157,58 +158,6 @@ def _hold_groups(parts: Parts | None) -> None:
             for two in range(parts.held.shape[0]):
                 if at(parts.met.group, one) == at(parts.met.group, two):
                     put(parts.held, two, 1)
-
-
-@inner
-def _scale(mean: Float, i: int, factor: float, lanes: tuple[int, ...]) -> None:
-    """Scales a row; what overflowed would be no number times 0."""
-    store(mean, i, factor * load(mean, i, lanes) if factor > 0.0 else splat(0.0, lanes), lanes)
-
-
-@part
-def stretch(parts: Parts | None, mean: Float, factor: float, lanes: tuple[int, ...]) -> None:
-    """Scales how far a body goes; of several those that tools touch."""
-    for i in range(mean.shape[0]):
-        goes = factor
-        if parts is not None:
-            goes = factor if at(parts.held, at(parts.part, i)) != 0 else 1.0
-        _scale(mean, i, goes, lanes)
-
-
-@part
-def set_length(parts: Parts | None, mean: Float, factor: float, everything: bool, lanes: tuple[int, ...]) -> bool:
-    """Scales how far a body goes; of several those whose groups are not closed, each as `decide` says, or everything.
-
-    Who rests stays, which is no shorter way.
-
-    Returns:
-        Whether any of it had gone anywhere.
-    """
-    gone = False
-    if parts is not None:
-        for b in range(parts.held.shape[0]):
-            if factor == 0.0 and (everything or at(parts.sums, (b, OPEN)) > 0.0):
-                put(parts.sums, (b, LENGTH), 0.0)
-    for i in range(mean.shape[0]):
-        goes = factor
-        if parts is not None and not everything:
-            asked = at(parts.sums, (at(parts.part, i), OPEN))
-            goes = 0.0 if asked == STILL else factor * asked if asked != 0.0 else 1.0
-        if goes != 1.0:
-            rate = load(mean, i, lanes)
-            gone = gone or total(rate * rate) != 0.0
-        _scale(mean, i, goes, lanes)
-    return gone
-
-
-@part
-def shortest(parts: Parts | None, length: float) -> float:
-    """How far a body went of the way that was asked for; of several, the one that went least."""
-    if parts is not None:
-        length = 1.0
-        for b in range(parts.held.shape[0]):
-            length = min(length, at(parts.sums, (b, LENGTH)))
-    return length
 
 
 @part
@@ -319,9 +268,14 @@ def _hand_out(op: Operator, parts: Parts | None, held: bool, spare: float, work:
     for b in range(parts.held.shape[0]):
         if flows > 0.0:
             _add(parts, b, LACKS, left * at(parts.sums, (b, FLOW)) / flows)
-        elif (not held or at(parts.held, b) != 0) and (
-            most < 0 or at(parts.sums, (b, ABOUT)) > at(parts.sums, (most, ABOUT))
-        ):
+        elif (not held or at(parts.held, b) != 0) and (most < 0 or _moves_more(parts, b, most)):
             most = b
     if most >= 0:
         _add(parts, most, LACKS, left)
+
+
+@inner
+def _moves_more(parts: Parts, one: int, two: int) -> bool:
+    """Whether one body moves more about its centre than another; if both do not, whether it moves more at all."""
+    what = ABOUT if at(parts.sums, (one, ABOUT)) != at(parts.sums, (two, ABOUT)) else MOVING
+    return at(parts.sums, (one, what)) > at(parts.sums, (two, what))

@@ -11,6 +11,7 @@ from cotouch.arrays import Float
 from cotouch.mechanics._balance import (
     AT_WORLD,
     ENERGY,
+    FIXED,
     HAVE,
     LAST_ATTEMPT,
     LEFT,
@@ -28,7 +29,8 @@ from cotouch.mechanics._balance import (
     weigh,
 )
 from cotouch.mechanics._balance_groups import OTHERS, resting_parts, start_attempts
-from cotouch.mechanics._balance_parts import close_all, free_parts, keep_parts, set_length, shortest
+from cotouch.mechanics._balance_length import find_outside, free_groups, keep_groups, set_length, shortest, stop_all
+from cotouch.mechanics._balance_parts import close_all, free_parts, keep_parts
 from cotouch.mechanics._direction import direct, level, predict
 from cotouch.mechanics._force import BodyForce, evaluate
 from cotouch.mechanics._force_memory import looks_ahead
@@ -134,6 +136,8 @@ def closed_step(
     attempt, length, least, greatest, refused = 0, 1.0, 0.0, math.inf, False
     square, off, astray = 1.0, _FAR_OFF, False
     start_attempts(force.parts)
+    free_groups(force.parts)
+    work.weighed[FIXED] = 0.0
     while True:
         keep_place(state, work, lanes)
         gain = ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
@@ -160,6 +164,7 @@ def closed_step(
         ):
             break
         go_back(force, state, work, lanes)
+        find_outside(op, force.world, force.parts, ports, T, work, lanes)
         still = (not passed and resting(work.weighed)) or resting_parts(force.parts)
         if alone:
             square, _ = square_of(work.weighed, attempt > 0)
@@ -187,15 +192,21 @@ def closed_step(
             )
             level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, False, work, lanes)
             start_attempts(force.parts)
+            keep_groups(force.parts)
         else:
-            # What cannot be closed, or would still pass an obstacle, stays where it is at last.
-            stays, goes = still or attempt >= LAST_ATTEMPT - (1 if alone else OTHERS), 1.0
+            # What cannot be closed, or would still pass an obstacle, stays where it is at last: what nothing outside
+            # holds with its centre first, then as it is.
+            left, goes = LAST_ATTEMPT - attempt, 1.0
+            stays = still or left <= (2 if alone else OTHERS)
             refused = refused or (stays and not still)
             if alone and not stays:
                 least, greatest = (least, length) if passed or not square > MOST else (length, greatest)
                 goes = next_length(length, least, greatest) / length
             length = length if still else 0.0 if stays else goes * length
-            if not set_length(force.parts, work.mean, 0.0 if stays else goes, attempt >= LAST_ATTEMPT - 1, lanes):
+            rest = still or left <= (1 if alone else OTHERS - 2)
+            if left <= 1:
+                stop_all(force.parts, work.mean, lanes)
+            elif not set_length(op, force.parts, work, 0.0 if stays else goes, rest, lanes):
                 # Nothing that goes less far would be any different.
                 refused, attempt = refused or not still, max(attempt, LAST_ATTEMPT - 1)
                 length = length if still else 0.0

@@ -9,6 +9,7 @@ from typing import Any
 
 from cotouch.arrays import Float
 from cotouch.mechanics._balance import (
+    FIXED,
     LAST_ATTEMPT,
     LEAST,
     MOST,
@@ -21,7 +22,8 @@ from cotouch.mechanics._balance import (
     weigh,
 )
 from cotouch.mechanics._balance_groups import LAST_OF_ALL, OTHERS, start_attempts
-from cotouch.mechanics._balance_parts import close_all, judge, set_length, shortest, stretch
+from cotouch.mechanics._balance_length import find_outside, free_groups, set_length, shortest, stretch
+from cotouch.mechanics._balance_parts import close_all, judge
 from cotouch.mechanics._contact_press import press_tool, rub
 from cotouch.mechanics._contact_snap import draw_tool
 from cotouch.mechanics._contact_sweep import first_crossing
@@ -129,6 +131,8 @@ def balanced(
     if force is not None:
         keep_place(state, work, lanes)
         start_attempts(force.parts)
+        free_groups(force.parts)
+        work.weighed[FIXED] = 1.0
     least, greatest = (1.0 - _EASY, 1.0 + _EASY) if touches else (LEAST, MOST)
     held_back = held_back or most < 1.0
     seeks, still, rounded, told = not held_back, False, True, False
@@ -173,7 +177,9 @@ def balanced(
             seeks = seeks and not passed
             if others:  # bodies that no tool touches
                 go_back(force, state, work, lanes)
-                set_length(force.parts, work.mean, 1.0 if shorter < LAST_ATTEMPT - OTHERS else 0.0, False, lanes)
+                find_outside(op, force.world, force.parts, ports, T, work, lanes)
+                left = LAST_ATTEMPT - shorter
+                set_length(op, force.parts, work, 0.0 if left <= OTHERS else 1.0, left <= OTHERS - 2, lanes)
                 shorter += 1
                 continue
             if not (fine or passed or touches or still) and resting(weighed):  # the body stays, and its tools go on

@@ -13,19 +13,18 @@ from cotouch.mechanics._force_ties import pull_ties, weigh_ties
 from cotouch.mechanics._fours import elements, keep_before, keep_rotations, rotations
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import (
-    SWEEPS,
     Matrix,
     Vector,
     cross,
     diagonal,
     inertia,
     mixture,
-    nearest,
     product,
     scaled,
     solved,
     transpose,
 )
+from cotouch.mechanics._nearest import SWEEPS, nearest
 from cotouch.mechanics._vector import at, load, store, total
 from cotouch.passing import by_address
 

@@ -16,12 +16,12 @@ from cotouch.mechanics._matrix3 import (
     Vector,
     cross,
     inertia,
-    nearest,
     solved,
     times,
     transposed_product,
     transposed_times,
 )
+from cotouch.mechanics._nearest import nearest
 from cotouch.mechanics._vector import at, put
 from cotouch.passing import by_address
 

@@ -34,19 +34,18 @@ from cotouch.mechanics._fours import (
 )
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import (
-    SWEEPS,
     Matrix,
     cofactor,
     contraction,
     diagonal,
     mixture,
-    nearest,
     product,
     scaled,
     symmetric,
     transpose,
     transposed_product,
 )
+from cotouch.mechanics._nearest import SWEEPS, nearest
 from cotouch.mechanics._vector import FOUR, load, splat, total, where
 from cotouch.passing import by_address
 

@@ -1,4 +1,4 @@
-"""Matrices of three by three as tuples of nine numbers, row by row, and the rotation nearest to one.
+"""Matrices of three by three as tuples of nine numbers, row by row.
 
 A "number" may be a machine vector: all of this then works on four matrices at once.
 """
@@ -6,7 +6,7 @@ A "number" may be a machine vector: all of this then works on four matrices at o
 from typing import TypeAlias
 
 from cotouch.mechanics._kernel import inner
-from cotouch.mechanics._vector import lower, size, total, where
+from cotouch.mechanics._vector import lower, size, where
 
 Matrix: TypeAlias = tuple[float, float, float, float, float, float, float, float, float]
 Vector: TypeAlias = tuple[float, float, float]
@@ -14,11 +14,6 @@ Vector: TypeAlias = tuple[float, float, float]
 IDENTITY = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 # A solve is trusted down to this determinant beside the cube of the matrix's size.
 _FLAT = 1e-12
-# Sweeps that a step takes at most: mostly one or two, more where a long step turns an element far, for only rotations
-# that are those of the place make an energy that anybody can work out anew.
-SWEEPS = 12
-# Squares of the angles after which the next sweep is left out: of the first in a step, of later ones, and from nowhere.
-_LITTLE, _LATER, _NOTHING = 2.5e-5, 1e-10, 1e-24
 
 
 @inner
@@ -158,45 +153,3 @@ def inertia(m: Matrix) -> Matrix:
     trace = m[0] + m[4] + m[8]
     xy, xz, yz = -0.5 * (m[1] + m[3]), -0.5 * (m[2] + m[6]), -0.5 * (m[5] + m[7])
     return trace - m[0], xy, xz, xy, trace - m[4], yz, xz, yz, trace - m[8]
-
-
-@inner
-def turned(r: Matrix, s: Matrix) -> tuple[Matrix, float]:
-    """One Newton sweep towards the rotation R that maximises `tr RᵀS`, and the square of the angle it turned by.
-
-    `R cay(w)` with `w = (tr M · I - sym M)⁻¹ axial M`, `M = RᵀS`; it stays a rotation however far it is from the best.
-    """
-    m = transposed_product(r, s)
-    w = solved(inertia(m), (m[7] - m[5], m[2] - m[6], m[3] - m[1]))
-    square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2]
-    # cay(w) = I + c ([w] + ½ [w]²), [w]² = w wᵀ - |w|² I.
-    c = 1.0 / (1.0 + 0.25 * square)
-    h = 0.5 * c
-    q = (
-        1.0 + h * (w[0] * w[0] - square),
-        h * w[0] * w[1] - c * w[2],
-        h * w[0] * w[2] + c * w[1],
-        h * w[1] * w[0] + c * w[2],
-        1.0 + h * (w[1] * w[1] - square),
-        h * w[1] * w[2] - c * w[0],
-        h * w[2] * w[0] - c * w[1],
-        h * w[2] * w[1] + c * w[0],
-        1.0 + h * (w[2] * w[2] - square),
-    )
-    return product(r, q), square
-
-
-@inner
-def nearest(r: Matrix, s: Matrix, sweeps: int) -> Matrix:
-    """The rotation that maximises `tr RᵀS`, found from another in at most so many sweeps.
-
-    What a sweep leaves is of the order of the square of what it turned by, times the strain. In a step the second is
-    left out where the first hardly turned, and more than two are for what is flung about; a search from nowhere, with
-    more sweeps than `SWEEPS`, goes on until nothing is left.
-    """
-    for sweep in range(sweeps):
-        r, square = turned(r, s)
-        enough = _LITTLE if sweep == 0 else _LATER
-        if total(square) <= (enough if sweeps <= SWEEPS else _NOTHING):
-            break
-    return r

@@ -22,7 +22,7 @@ _SLACK = 1e-4
 # By which power of the ratio of their skins' areas a smaller body's points count more.
 _SMALLER = 4.0
 # Numbers of each body's balance.
-SUMS = 17
+SUMS = 19
 
 
 def part_of_nodes(body: Body) -> Int:

@@ -1,0 +1,265 @@
+"""About which velocity a step is shortened: about rest if something outside holds a body, else about its centre's.
+
+What nothing holds has no place of its own: how it moves as a whole must neither shorten its steps nor be changed by it.
+So the way of those that touch only each other is shortened about the velocity of their common centre, and their
+momentum is that of the forces from outside, whatever becomes of the step.
+"""
+# An array indexed by an element of another is a number to numba and an array to numpy's types.
+# pyright: reportArgumentType=false, reportReturnType=false
+
+import math
+
+from cotouch.arrays import Float
+from cotouch.mechanics._balance import FIXED
+from cotouch.mechanics._balance_groups import CENTRE, LENGTH, MASS, OPEN, STILL, TIED, WITH, is_tied
+from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._meeting import Meeting, Parts
+from cotouch.mechanics._operator import Operator
+from cotouch.mechanics._state import Ports, Workspace
+from cotouch.mechanics._vector import at, load, put, splat, store, total
+from cotouch.mechanics._world import World
+
+
+@part
+def find_outside(
+    op: Operator,
+    world: World | None,
+    parts: Parts | None,
+    ports: Ports,
+    T: float,
+    work: Workspace,
+    lanes: tuple[int, ...],
+) -> None:
+    """Notes which bodies something outside holds: the ground, a port, or an obstacle that is in reach of the step.
+
+    Who was found to be held so stays so for all attempts at a step.
+
+    Args:
+        op: the bodies.
+        world: obstacles, which a look has met; None: none.
+        parts: the bodies; None: there is one, and `weighed` is told.
+        ports: what holds it.
+        T: length of the step [s].
+        work: `mean` is how it would move.
+        lanes: fixes the width of a row.
+    """
+    for i in range(op.mass.shape[0]):
+        if at(op.ground, i) > 0.0:
+            _note(parts, i, work)
+    for p in range(ports.row.shape[0]):
+        if at(ports.stiffness, p) > 0.0 or at(ports.damping, p) > 0.0:
+            if ports.shape.shape[0] == 0:
+                _note(parts, at(ports.row, p), work)
+            for i in range(op.mass.shape[0] if ports.shape.shape[0] > 0 else 0):
+                if at(ports.shape, (p, i)) != 0.0:
+                    _note(parts, i, work)
+    if world is None:
+        return
+    for p in range(world.moves if at(world.known, 0) != 0.0 else 0):
+        if at(world.start, (p, 3)) <= T * _speed(world, p, work.mean, lanes):
+            _note(parts, at(world.row, at(world.pointer, p)), work)
+    _find_solids(world.bodies, parts, T, work, lanes)
+
+
+@part
+def _speed(world: World, p: int, mean: Float, lanes: tuple[int, ...]) -> float:
+    """How fast a point moves [m/s]."""
+    rate = splat(0.0, lanes)
+    for e in range(at(world.pointer, p), at(world.pointer, p + 1)):
+        rate = rate + at(world.share, e) * load(mean, at(world.row, e), lanes)
+    return math.sqrt(total(rate * rate))
+
+
+@part
+def _find_solids(m: Meeting | None, parts: Parts | None, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
+    """Notes which bodies are in reach of solids that stand still: of their points, or with points of their own."""
+    if m is None or parts is None:
+        return
+    fastest = 0.0
+    for i in range(work.mean.shape[0]):
+        rate = load(work.mean, i, lanes)
+        fastest = max(fastest, total(rate * rate))
+    fastest = m.lever * math.sqrt(fastest)
+    for e in range(at(m.entries, 1)):
+        one, two = at(m.part, at(m.point, e)), at(m.other, e)
+        if max(one, two) >= m.moves and at(m.began, (e, 0)) >= -T * fastest:
+            put(parts.sums, (min(one, two), TIED), 1.0)
+
+
+@part
+def join_met(world: World | None, parts: Parts | None) -> None:
+    """Who would pass another is of one group with it; and who was so in one attempt at a step is so in all that follow.
+
+    Only together can they go less far, though at some lengths of the step they do not touch.
+    """
+    if world is None or parts is None:
+        return
+    m = world.bodies
+    if m is not None:
+        for e in range(at(m.entries, 1)):
+            one, two = at(m.part, at(m.point, e)), at(m.other, e)
+            if max(one, two) < m.moves and at(m.met.passed, one) != 0 and at(m.met.passed, two) != 0:
+                _join(parts, one, two)
+    keep_groups(parts)
+
+
+@part
+def free_groups(parts: Parts | None) -> None:
+    """A step begins: nothing is held yet, and nobody was of a group with another."""
+    if parts is not None:
+        for b in range(parts.held.shape[0]):
+            put(parts.sums, (b, TIED), 0.0)
+            put(parts.sums, (b, WITH), float(b))
+
+
+@part
+def keep_groups(parts: Parts | None) -> None:
+    """Who was of a group with another, or is so now, stays so in this step, if nothing outside holds either.
+
+    About rest each goes less far by itself.
+    """
+    if parts is None:
+        return
+    for b in range(parts.held.shape[0]):
+        other = int(at(parts.sums, (b, WITH)))
+        if not (is_tied(parts, at(parts.met.group, b)) or is_tied(parts, at(parts.met.group, other))):
+            _join(parts, b, other)
+    for b in range(parts.held.shape[0]):
+        put(parts.sums, (b, WITH), float(at(parts.met.group, b)))
+
+
+@part
+def _join(parts: Parts, one: int, two: int) -> None:
+    """Makes one group of those of two bodies."""
+    low, high = at(parts.met.group, one), at(parts.met.group, two)
+    low, high = min(low, high), max(low, high)
+    for b in range(parts.met.group.shape[0] if low != high else 0):
+        if at(parts.met.group, b) == high:
+            put(parts.met.group, b, low)
+
+
+@part
+def _note(parts: Parts | None, i: int, work: Workspace) -> None:
+    if parts is None:
+        put(work.weighed, FIXED, 1.0)
+    else:
+        put(parts.sums, (at(parts.part, i), TIED), 1.0)
+
+
+@part
+def _find_centres(op: Operator, parts: Parts, mean: Float) -> None:
+    """Writes how fast the centre of each body's group goes, where nothing outside holds it; else 0."""
+    for b in range(parts.held.shape[0]):
+        for a in range(3):
+            put(parts.sums, (b, CENTRE + a), 0.0)
+    for i in range(op.mass.shape[0]):
+        group = at(parts.met.group, at(parts.part, i))
+        for a in range(3):
+            put(
+                parts.sums, (group, CENTRE + a), at(parts.sums, (group, CENTRE + a)) + at(op.mass, i) * at(mean, (i, a))
+            )
+    for group in range(parts.held.shape[0]):
+        if at(parts.met.group, group) == group:
+            mass, goes = 0.0, 0.0
+            for b in range(parts.held.shape[0]):
+                if at(parts.met.group, b) == group:
+                    mass += at(parts.sums, (b, MASS))
+            for a in range(3):
+                goes += abs(at(parts.sums, (group, CENTRE + a)))
+            free = goes < math.inf and not is_tied(parts, group)
+            for a in range(3):
+                put(parts.sums, (group, CENTRE + a), at(parts.sums, (group, CENTRE + a)) / mass if free else 0.0)
+
+
+@part
+def stretch(parts: Parts | None, mean: Float, factor: float, lanes: tuple[int, ...]) -> None:
+    """Scales how far a body goes; of several those that tools touch."""
+    for i in range(mean.shape[0]):
+        goes = factor
+        if parts is not None:
+            goes = factor if at(parts.held, at(parts.part, i)) != 0 else 1.0
+        _scale(mean, i, goes, lanes)
+
+
+@inner
+def _scale(mean: Float, i: int, factor: float, lanes: tuple[int, ...]) -> None:
+    """Scales a row; what overflowed would be no number times 0."""
+    store(mean, i, factor * load(mean, i, lanes) if factor > 0.0 else splat(0.0, lanes), lanes)
+
+
+@part
+def set_length(
+    op: Operator, parts: Parts | None, work: Workspace, factor: float, rest: bool, lanes: tuple[int, ...]
+) -> bool:
+    """Scales how far a body goes; of several those whose groups are not closed, each as `decide` says.
+
+    Who rests stays, which is no shorter way.
+
+    Args:
+        op: the bodies.
+        parts: which of them is which; None: there is one.
+        work: `mean` is changed; `find_outside` has told who is held.
+        factor: by which.
+        rest: about rest, whether anything holds them or not.
+        lanes: fixes the width of a row.
+
+    Returns:
+        Whether any of it had gone anywhere.
+    """
+    if parts is None:
+        return _set_alone(op, work, factor, rest or at(work.weighed, FIXED) != 0.0, lanes)
+    mean, gone = work.mean, False
+    if not rest:
+        _find_centres(op, parts, mean)
+    for b in range(parts.held.shape[0]):
+        if factor == 0.0 and at(parts.sums, (b, OPEN)) > 0.0:
+            put(parts.sums, (b, LENGTH), 0.0)
+    for i in range(mean.shape[0]):
+        b = at(parts.part, i)
+        asked = at(parts.sums, (b, OPEN))
+        goes = 0.0 if asked == STILL else factor * asked if asked != 0.0 else 1.0
+        if goes != 1.0:
+            for a in range(3):
+                rate, about = at(mean, (i, a)), 0.0
+                if not rest and asked > 0.0:
+                    about = at(parts.sums, (at(parts.met.group, b), CENTRE + a))
+                gone = gone or rate != 0.0
+                put(mean, (i, a), about + goes * (rate - about) if goes > 0.0 else about)
+    return gone
+
+
+@part
+def stop_all(parts: Parts | None, mean: Float, lanes: tuple[int, ...]) -> None:
+    """Nothing goes anywhere."""
+    for i in range(mean.shape[0]):
+        store(mean, i, splat(0.0, lanes), lanes)
+    if parts is not None:
+        for b in range(parts.held.shape[0]):
+            put(parts.sums, (b, LENGTH), 0.0)
+
+
+@part
+def _set_alone(op: Operator, work: Workspace, factor: float, rest: bool, lanes: tuple[int, ...]) -> bool:
+    """`set_length` of one body."""
+    mean, gone, about, mass = work.mean, False, splat(0.0, lanes), 0.0
+    for i in range(0 if rest else mean.shape[0]):
+        about, mass = about + at(op.mass, i) * load(mean, i, lanes), mass + at(op.mass, i)
+    if mass > 0.0:
+        about = (1.0 / mass) * about
+    if not total(about * about) < math.inf:
+        about = splat(0.0, lanes)
+    for i in range(mean.shape[0]):
+        rate = load(mean, i, lanes)
+        gone = gone or total(rate * rate) != 0.0
+        store(mean, i, about + factor * (rate - about) if factor > 0.0 else about, lanes)
+    return gone
+
+
+@part
+def shortest(parts: Parts | None, length: float) -> float:
+    """How far a body went of the way that was asked for; of several, the one that went least."""
+    if parts is not None:
+        length = 1.0
+        for b in range(parts.held.shape[0]):
+            length = min(length, at(parts.sums, (b, LENGTH)))
+    return length
