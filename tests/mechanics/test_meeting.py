@@ -23,8 +23,10 @@ from cotouch.mechanics import (
     Obstacle,
     Plane,
     Solid,
+    begin_world,
     closed_settle,
     deepest_between,
+    follow_world,
     model,
 )
 
@@ -299,6 +301,37 @@ def test_the_order_of_bodies_makes_no_difference() -> None:
         pair.run(60)
     for a, b in ((0, 1), (1, 0)):
         assert there.position[there.span(a)] == pytest.approx(back.position[back.span(b)], abs=1e-9)
+
+
+@pytest.mark.parametrize(("made", "friction"), [(die, 0.0), (die, 0.5), (cube, 0.0)])
+def test_what_lies_in_two_others_at_once_holds_what_places_say(made: Callable[[], Body], friction: float) -> None:
+    """Three bodies driven into each other: what they hold follows from where they are, not from how they came there."""
+    rng, twice = np.random.default_rng(7), 0
+    for _ in range(2):
+        places = 0.3 * SIDE * rng.uniform(-1.0, 1.0, (3, 3)) + 0.5 * SIDE * np.eye(3)
+        turns, speeds = rng.uniform(-1.0, 1.0, (2, 3, 3))
+        speeds -= 30.0 * (places - places.mean(axis=0))
+        three = Several(
+            *((made(), tuple(at), tuple(turn)) for at, turn in zip(places, turns, strict=True)),
+            between=Between(stiffness=1e5, loss=1.0, friction=friction),
+            speeds=tuple(map(tuple, speeds)),
+        )
+        world, audited = three.force.world, three.state.memory.copy()
+        assert world is not None
+        assert world.bodies is not None
+        begin_world(world, audited, three.state.position)
+        for _ in range(25):
+            before = three.state.position.copy()
+            three.run(1, 0.01)
+            near, count = 1e-14 * three.scale, world.bodies.entries[1]
+            told = three.ledger[[WORLD_STORED, WORLD_LOSS]]
+            assert told == pytest.approx(follow_world(world, audited, before, three.state.position, 0.01), abs=near)
+            if friction == 0.0:
+                memory = three.state.memory.copy()
+                assert begin_world(world, memory, three.state.position) == pytest.approx(told[0], abs=near)
+            deep = world.bodies.began[:count, 0] > 0.0
+            twice += np.count_nonzero(np.bincount(world.bodies.point[:count][deep]) > 1)
+    assert twice > 100
 
 
 def slab(size: tuple[float, float, float], at: tuple[float, float, float], **law: float) -> Obstacle:

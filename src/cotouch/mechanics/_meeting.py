@@ -124,13 +124,13 @@ class Meeting(NamedTuple):
         entries: scratch: whether `point` is of this step, and how many there are, (2,).
         bound: scratch: how far rows may move before `point` must be looked for anew, and how far they do, (2,) [m].
         looked: scratch: where they were when it was, (rows, 3) [m].
-        point: scratch: points that may meet another body in the step, (P,).
-        other: scratch: which one, (P,).
-        first: scratch: first triangle of each in `near`, and one past the last, (P, 2); less than 0: all.
+        point: scratch: points that may meet another body in the step, one entry for each body, in their order, (E,).
+        other: scratch: which one, (E,).
+        first: scratch: first triangle of each in `near`, and one past the last, (E, 2); less than 0: all.
         near: scratch: triangles that a point may come to, (N,).
-        began: scratch: of each point where the step begins: depth, normal out of the other body, shares of the corners
-            of the nearest triangle, height above its plane, (P, 8).
-        face: scratch: that triangle, and whether the nearest point lies within it; then where it ends, (P, 4).
+        began: scratch: of each entry where the step begins: depth, normal out of the other body, shares of the corners
+            of the nearest triangle, height above its plane, (E + 1, 8).
+        face: scratch: that triangle, and whether the nearest point lies within it; then where it ends, (E + 1, 4).
         ended: scratch: as `began`, where the step would end.
         coefficient: scratch: how much of each row moves a point past its triangle, (rows,).
         moved: scratch: rows for which that is not 0, of those that are solved for at once, (rows,).

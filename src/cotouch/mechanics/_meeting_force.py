@@ -14,11 +14,12 @@ from cotouch.mechanics._kernel import block, inner, part
 from cotouch.mechanics._meeting import Meeting
 from cotouch.mechanics._meeting_look import gather, make_ready, point_at
 from cotouch.mechanics._meeting_near import FAR_SIDE, crossing, follow
+from cotouch.mechanics._meeting_stretch import mark_of, stretch_in
 from cotouch.mechanics._pressed_point import Pressed, Resists, pressed, resists, stretched, untouched
 from cotouch.mechanics._tool_bodies import note_push
 from cotouch.mechanics._vector import at, put
 from cotouch.mechanics._world import World
-from cotouch.mechanics._world_lean import couple_rows
+from cotouch.mechanics._world_lean import couple_rows, tell
 from cotouch.mechanics._world_offset import follow_offset, offset_of
 
 # Normals that look so much against each other are of opposite sides.
@@ -96,7 +97,7 @@ def _meet(
     off = offset_of(world, memory, world.kind.shape[0] * world.area.shape[0] + p)
     before, after = at(m.began, (e, 0)) - off, at(m.ended, (e, 0)) - off
     k = at(m.stiffness, pair) * at(world.area, p) * at(world.there, p)
-    sx, sy, sz = at(memory, here), at(memory, here + 1), at(memory, here + 2)
+    sx, sy, sz, was = stretch_in(memory, here, pair[1])
     if before <= 0.0 and after <= 0.0:
         return (0.0, 0.0, 0.0), untouched(stretched(k, sx, sy, sz))
     nx = (at(m.began, (e, 1)) if before > 0.0 else 0.0) + (at(m.ended, (e, 1)) if after > 0.0 else 0.0)
@@ -113,8 +114,14 @@ def _meet(
         gx, gy, gz = nx - short * mx, ny - short * my, nz - short * mz
     return (nx, ny, nz), pressed(
         k, at(m.loss, pair), at(m.friction, pair), at(m.kinetic, pair), before, after, nx, ny, nz, gx, gy, gz,
-        mx, my, mz, sx, sy, sz, at(memory, here + 3), T,
+        mx, my, mz, sx, sy, sz, was, T,
     )  # fmt: skip
+
+
+@inner
+def _is_last(m: Meeting, e: int) -> bool:
+    """Whether an entry is the last of its point, which has one for each body that it may meet."""
+    return e + 1 == at(m.entries, 1) or at(m.point, e + 1) != at(m.point, e)
 
 
 @inner
@@ -151,6 +158,7 @@ def press_bodies(
     slot, change, size = world.kind.shape[0] * points, 0.0, 0.0
     at_once = world.couple.shape[0] == 3 * world.hold.shape[0]
     _alone(m)
+    sx = sy = sz = 0.0
     for e in range(at(m.entries, 1)):
         p = at(m.point, e)
         px, py, pz = point_at(world, p, x)
@@ -164,13 +172,11 @@ def press_bodies(
         here = world.first + 4 * (slot + p)
         normal, found = _meet(world, m, memory, e, here, mx, my, mz, T)
         fx, fy, fz, firm = found[0], found[1], found[2], found[5]
-        told = slot + p
-        change += (fx - at(world.told, (told, 0))) ** 2
-        change += (fy - at(world.told, (told, 1))) ** 2 + (fz - at(world.told, (told, 2))) ** 2
-        size += fx * fx + fy * fy + fz * fz
-        put(world.told, (told, 0), fx)
-        put(world.told, (told, 1), fy)
-        put(world.told, (told, 2), fz)
+        sx, sy, sz = sx + fx, sy + fy, sz + fz
+        if _is_last(m, e):
+            change += tell(world, slot + p, sx, sy, sz)
+            size += sx * sx + sy * sy + sz * sz
+            sx = sy = sz = 0.0
         if firm == 0.0 and fx == 0.0 and fy == 0.0 and fz == 0.0:
             continue
         fx, fy, fz = firmness * fx, firmness * fy, firmness * fz
@@ -233,6 +239,7 @@ def weigh_bodies(
         put(memory, world.offset + world.told.shape[0] + slot + p, 0.0)
     for n in range(4 * m.push.shape[0]):
         put(m.push, n, 0.0)
+    deepest, held = -math.inf, 0.0
     for e in range(at(m.entries, 1)):
         p, other = at(m.point, e), at(m.other, e)
         px, py, pz = point_at(world, p, x)
@@ -251,9 +258,11 @@ def weigh_bodies(
         energy, lost = energy + stored, lost + gone
         own = at(m.part, p)
         firm = at(m.stiffness, (own, other)) * at(world.area, p) * at(world.there, p)
+        sx, sy, sz, _ = stretch_in(memory, here, other)
         before = 0.5 * firm * max(at(m.began, (e, 0)) - offset_of(world, memory, slot + p), 0.0) ** 2
-        for a in range(3):
-            before += 0.25 * firm * at(memory, here + a) ** 2
+        before += 0.25 * firm * sx**2
+        before += 0.25 * firm * sy**2
+        before += 0.25 * firm * sz**2
         did = fx * (qx - px) + fy * (qy - py) + fz * (qz - pz)
         took = -fx * (bx - ax) - fy * (by - ay) - fz * (bz - az)
         # What a force that could not be turned so far does not do by itself, both have half of.
@@ -268,12 +277,17 @@ def weigh_bodies(
             put(world.force, (row, 0), at(world.force, (row, 0)) + sign * fx)
             put(world.force, (row, 1), at(world.force, (row, 1)) + sign * fy)
             put(world.force, (row, 2), at(world.force, (row, 2)) + sign * fz)
-        here = kept + 4 * (slot + p)
-        put(memory, here, ex)
-        put(memory, here + 1, ey)
-        put(memory, here + 2, ez)
-        put(memory, here + 3, slips)
-        follow_offset(world, memory, slot + p, at(m.ended, (e, 0)))
+        here, dropped = kept + 4 * (slot + p), stretched(firm, ex, ey, ez)
+        if at(m.ended, (e, 0)) > deepest:
+            dropped, held, deepest = held, dropped, at(m.ended, (e, 0))
+            put(memory, here, ex)
+            put(memory, here + 1, ey)
+            put(memory, here + 2, ez)
+            put(memory, here + 3, mark_of(other, slips))
+        energy, lost = energy - dropped, lost + dropped
+        if _is_last(m, e):
+            follow_offset(world, memory, slot + p, deepest)
+            deepest, held = -math.inf, 0.0
         if m.push.shape[0] > 0 and at(m.tool, own) != at(m.tool, other):
             note_push(world, m, e, f, fx, fy, fz)
     return energy, lost, passed

@@ -142,7 +142,6 @@ def gather(world: World, m: Meeting, memory: Float, x: Float, bound: float) -> N
             if at(world.there, p) == 0.0:
                 continue
             px, py, pz = point_at(world, p, x)
-            deepest, other, last = -math.inf, -1, -1
             for b in range(bodies if own < m.moves else m.moves):
                 box = at(m.boxes, b)
                 if (b == own and at(m.within, b) <= 0.0) or at(m.touched, b) == 0:
@@ -150,22 +149,17 @@ def gather(world: World, m: Meeting, memory: Float, x: Float, bound: float) -> N
                 outside = max(at(m.low, (box, 0)) - px, px - at(m.high, (box, 0)))
                 outside = max(outside, at(m.low, (box, 1)) - py, py - at(m.high, (box, 1)))
                 outside = max(outside, at(m.low, (box, 2)) - pz, pz - at(m.high, (box, 2)))
-                if outside <= reach:
-                    deep, last = search(m, b, p, px, py, pz, count, reach), b
-                    if deep > deepest:
-                        deepest, other = deep, b
-            if other < 0:
-                continue
-            if last != other:
-                search(m, other, p, px, py, pz, count, reach)
-            far = at(m.face, (count, 1)) == FAR_SIDE  # what it holds if it comes nearer must be known as well
-            if deepest < -reach and not far:
-                continue
-            last = collect(m, other, p, px, py, pz, (abs(deepest) if far else max(deepest, 0.0)) + 2.0 * reach, used)
-            put(m.first, (count, 0), used if last >= 0 else -1)
-            put(m.first, (count, 1), max(last, 0))
-            used = max(last, used)
-            count += 1
+                if outside > reach:
+                    continue
+                deep = search(m, b, p, px, py, pz, count, reach)
+                far = deep > -math.inf and at(m.face, (count, 1)) == FAR_SIDE  # must be known if it comes nearer
+                if deep < -reach and not far:
+                    continue
+                last = collect(m, b, p, px, py, pz, (abs(deep) if far else max(deep, 0.0)) + 2.0 * reach, used)
+                put(m.first, (count, 0), used if last >= 0 else -1)
+                put(m.first, (count, 1), max(last, 0))
+                used = max(last, used)
+                count += 1
     put(m.entries, 0, 1)
     put(m.entries, 1, count)
     put(m.bound, 0, bound)

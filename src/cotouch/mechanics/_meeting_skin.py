@@ -119,6 +119,7 @@ def meeting_of(
         leaf.append(members)
         boxes.append(boxes[-1] + own.shape[0])
     count, bodies = part.size, moving + len(still)
+    entries = count * max(bodies - 1 + between.own, 1)  # of each point as many as it may meet
     within, skips, skip = unmet(bodies, count)
     if between.own:
         own = int(np.searchsorted(part, moving))
@@ -167,13 +168,13 @@ def meeting_of(
         entries=np.zeros(2, dtype=np.int32),
         bound=np.zeros(2),
         looked=np.zeros((body.nodes, 3)),
-        point=np.zeros(count, dtype=np.int32),
-        other=np.zeros(count, dtype=np.int32),
-        first=np.zeros((count, 2), dtype=np.int32),
+        point=np.zeros(entries, dtype=np.int32),
+        other=np.zeros(entries, dtype=np.int32),
+        first=np.zeros((entries, 2), dtype=np.int32),
         near=np.zeros(_NEAR * count + _ALL * corner.shape[0], dtype=np.int32),
-        began=np.zeros((count + 1, 8)),
-        face=np.zeros((count + 1, 4), dtype=np.int32),
-        ended=np.zeros((count + 1, 8)),
+        began=np.zeros((entries + 1, 8)),
+        face=np.zeros((entries + 1, 4), dtype=np.int32),
+        ended=np.zeros((entries + 1, 8)),
         coefficient=np.zeros(body.nodes),
         moved=np.zeros(body.nodes, dtype=np.int32),
         met=met_of(bodies),

@@ -69,7 +69,7 @@ class World(NamedTuple):
     Attributes:
         first: where in a copy's memory the stretches of friction begin: one row of four (the stretch [m], and whether
             it slips) for each obstacle and point, and each point and other bodies, as the last step left them, then the
-            same as this step would.
+            same as this step would. Of the latter the fourth number also says in which body; see `mark_of`.
         pointer: CSR row pointer of the points, (P + 1,).
         row: rows of the body that carry each point, (entries,).
         share: how much of each, (entries,).
@@ -90,7 +90,8 @@ class World(NamedTuple):
         pairs: scratch: what resists motion between each of these and those before it, the same both ways, a matrix of
             the axes, (3 * their number squared, 4) [Ns/m].
         couple: scratch: the same between all of them, (3 of them, 3 of them) [Ns/m].
-        told: scratch: force on each point by the last look, ((S + 1) * P, 4), or (S * P, 4) of one body [N].
+        told: scratch: force on each point by the last look, of all obstacles in the first P rows, and of other bodies
+            in those after (S * P,), ((S + 1) * P, 4), or (S * P, 4) of one body [N].
         start: scratch: displacement of each point at the start of the step, and how far it is from all obstacles,
             (P, 4) [m].
         known: scratch: 1 where these are of the step at hand, (1,).

@@ -9,9 +9,10 @@ deep as it was then: contact acts beyond that offset, which shrinks as the point
 import math
 
 from cotouch.arrays import Float
-from cotouch.mechanics._kernel import block, part
+from cotouch.mechanics._kernel import block, inner, part
 from cotouch.mechanics._meeting import Meeting
 from cotouch.mechanics._meeting_look import gather, point_at
+from cotouch.mechanics._meeting_stretch import stretched_in
 from cotouch.mechanics._shape import depth
 from cotouch.mechanics._vector import at, put
 from cotouch.mechanics._world import World
@@ -36,19 +37,33 @@ def show(world: World) -> None:
 
 @part
 def _depths(world: World, memory: Float, x: Float) -> None:
-    """Depth of each point in each obstacle and in other bodies, where a step ended, and κ, into columns of `told`."""
-    points = world.area.shape[0]
-    for n in range(world.told.shape[0]):
-        put(world.told, (n, 3), 0.0)
+    """What each point holds in each obstacle, and in other bodies, where a step ended, into columns of `told`.
+
+    These are: energy beyond its offset over half of its area, κ, and how deep it is; in bodies the sum, the sum, and
+    where it is deepest.
+    """
+    count, points = world.told.shape[0], world.area.shape[0]
+    for n in range(count):
+        for a in range(1, 4):
+            put(world.told, (n, a), 0.0)
     for p in range(world.moves):
         if at(world.there, p) == 0.0:
             continue
         px, py, pz = point_at(world, p, x)
         for s in range(world.kind.shape[0]):
             deep, _, _, _, _ = depth(at(world.kind, s), world.numbers, s, px, py, pz)
-            put(world.told, (s * points + p, 2), at(world.stiffness, s))
-            put(world.told, (s * points + p, 3), deep)
+            _add_depth(world, memory, s * points + p, p, at(world.stiffness, s), deep)
     _depths_between(world, world.bodies, memory, x)
+
+
+@inner
+def _add_depth(world: World, memory: Float, n: int, p: int, stiffness: float, deep: float) -> None:
+    """Adds to the columns of `told` what a point holds in one thing."""
+    if deep > 0.0:
+        beyond = max(deep - at(memory, world.offset + world.told.shape[0] + n), 0.0)
+        put(world.told, (n, 1), at(world.told, (n, 1)) + stiffness * at(world.there, p) * beyond * beyond)
+        put(world.told, (n, 2), at(world.told, (n, 2)) + stiffness)
+        put(world.told, (n, 3), max(at(world.told, (n, 3)), deep))
 
 
 @part
@@ -60,14 +75,14 @@ def _depths_between(world: World, m: Meeting | None, memory: Float, x: Float) ->
     put(m.entries, 0, 0)
     first = world.kind.shape[0] * world.area.shape[0]
     for e in range(at(m.entries, 1)):
-        n = first + at(m.point, e)
-        put(world.told, (n, 2), at(m.stiffness, (at(m.part, at(m.point, e)), at(m.other, e))))
-        put(world.told, (n, 3), at(m.began, (e, 0)))
+        p = at(m.point, e)
+        stiffness = at(m.stiffness, (at(m.part, p), at(m.other, e)))
+        _add_depth(world, memory, first + p, p, stiffness, at(m.began, (e, 0)))
 
 
 @block
 def keep_depths(world: World, memory: Float, x: Float) -> None:
-    """Before a cut: keeps in `told` how deep each point presses, beyond its offset, and how much of it is there.
+    """Before a cut: keeps in `told` what each point holds.
 
     Args:
         world: what the skin meets.
@@ -75,11 +90,8 @@ def keep_depths(world: World, memory: Float, x: Float) -> None:
         x: where it came to, displacements of the rows [m].
     """
     _depths(world, memory, x)
-    count, points = world.told.shape[0], world.area.shape[0]
-    for n in range(count):
-        off = at(memory, world.offset + count + n)
-        put(world.told, (n, 0), max(at(world.told, (n, 3)) - off, 0.0))
-        put(world.told, (n, 1), at(world.there, n % points))
+    for n in range(world.told.shape[0]):
+        put(world.told, (n, 0), at(world.told, (n, 1)))
 
 
 @block
@@ -94,24 +106,28 @@ def meet_anew(world: World, memory: Float, x: Float) -> float:
     _depths(world, memory, x)
     count, points, energy = world.told.shape[0], world.area.shape[0], 0.0
     for n in range(count):
-        p = n % points
-        there, deep = at(world.there, p), at(world.told, (n, 3))
-        stretch = world.first + 4 * (count + n)
+        there, deep = at(world.there, n % points), at(world.told, (n, 3))
         kept = world.offset + count + n
         if there == 0.0 or deep <= 0.0:
             for a in range(4):
-                put(memory, stretch + a, 0.0)
+                put(memory, world.first + 4 * (count + n) + a, 0.0)
             put(memory, kept, 0.0)
-            continue
-        pressed = at(world.told, (n, 0)) * math.sqrt(min(at(world.told, (n, 1)) / there, 1.0))
-        off = max(at(memory, kept), deep - pressed)
-        if deep - at(memory, kept) <= at(world.told, (n, 0)) and at(world.told, (n, 1)) >= there:
-            off = at(memory, kept)  # as it was, to the bit
-        put(memory, kept, off)
-        k = at(world.told, (n, 2)) * at(world.area, p) * there
-        beyond = max(deep - off, 0.0)
-        slid = 0.0
+        elif at(world.told, (n, 1)) > at(world.told, (n, 0)):  # else it is as it was, to the bit
+            beyond = math.sqrt(at(world.told, (n, 0)) / (there * at(world.told, (n, 2))))
+            put(memory, kept, max(at(memory, kept), deep - beyond))
+    _depths(world, memory, x)
+    for n in range(count):
+        p, stretch, slid = n % points, world.first + 4 * (count + n), 0.0
         for a in range(3):
             slid += at(memory, stretch + a) ** 2
-        energy += 0.5 * k * beyond * beyond + 0.25 * k * slid
+        other = stretched_in(memory, stretch)
+        s = n // points
+        k = at(world.stiffness, s) if s < world.kind.shape[0] else _stiffness(world.bodies, p, other)
+        energy += 0.5 * at(world.area, p) * (at(world.told, (n, 1)) + 0.5 * at(world.there, p) * k * slid)
     return energy
+
+
+@inner
+def _stiffness(m: Meeting | None, p: int, other: int) -> float:
+    """Of a point in a body that remembers its friction; 0: none does [N/m³]."""
+    return 0.0 if m is None or other < 0 else at(m.stiffness, (at(m.part, p), other))

@@ -19,7 +19,7 @@ from cotouch.mechanics._shape import depth, passes
 from cotouch.mechanics._state import WORLD_FORCE
 from cotouch.mechanics._vector import at, put, splat, store
 from cotouch.mechanics._world import World
-from cotouch.mechanics._world_lean import clear_pairs, couple, spread_pairs
+from cotouch.mechanics._world_lean import clear_pairs, couple, spread_pairs, tell
 from cotouch.mechanics._world_offset import follow_offset, offset_of
 
 # Looks at most that a step with obstacles takes, and the change of forces from one to the next at which they end.
@@ -125,17 +125,6 @@ def _way(x: Float, ahead: Float, i: int) -> float:
     return way
 
 
-@inner
-def _tell(world: World, p: int, fx: float, fy: float, fz: float) -> float:
-    """Keeps the force on a point; returns the square of what it changed by since the last look."""
-    change = (fx - at(world.told, (p, 0))) ** 2
-    change += (fy - at(world.told, (p, 1))) ** 2 + (fz - at(world.told, (p, 2))) ** 2
-    put(world.told, (p, 0), fx)
-    put(world.told, (p, 1), fy)
-    put(world.told, (p, 2), fz)
-    return change
-
-
 @part
 def press_world(
     world: World | None, firmness: float, memory: Float, x: Float, ahead: Float, T: float, out: Float
@@ -173,7 +162,7 @@ def press_world(
         if at(world.there, p) == 0.0 or point_away(world.bodies, memory, p):
             continue
         if at(world.start, (p, 3)) > far:  # it meets nothing on its way
-            change += _tell(world, p, 0.0, 0.0, 0.0)
+            change += tell(world, p, 0.0, 0.0, 0.0)
             continue
         ux, uy, uz = at(world.start, (p, 0)), at(world.start, (p, 1)), at(world.start, (p, 2))
         vx, vy, vz = _place(world, p, ahead)
@@ -185,7 +174,7 @@ def press_world(
             fx, fy, fz, firm = fx + a, fy + b, fz + c, firm + firm_here
             if firm_here > 0.0 or along > 0.0:
                 couple(world, p, resists(normal, found))
-        change += _tell(world, p, fx, fy, fz)
+        change += tell(world, p, fx, fy, fz)
         size += fx * fx + fy * fy + fz * fz
         if firm == 0.0 and fx == 0.0 and fy == 0.0 and fz == 0.0:
             continue

@@ -1,4 +1,4 @@
-"""What resists motion at obstacles, as the linear system of a step has it."""
+"""What a look keeps of forces, and what resists motion at obstacles, as the linear system of a step has it."""
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false
 
@@ -8,6 +8,17 @@ from cotouch.mechanics._pressed_point import Resists
 from cotouch.mechanics._state import Workspace
 from cotouch.mechanics._vector import FOUR, at, four, load, put, splat, store
 from cotouch.mechanics._world import World
+
+
+@inner
+def tell(world: World, n: int, fx: float, fy: float, fz: float) -> float:
+    """Keeps the force on a point; returns the square of what it changed by since the last look."""
+    change = (fx - at(world.told, (n, 0))) ** 2
+    change += (fy - at(world.told, (n, 1))) ** 2 + (fz - at(world.told, (n, 2))) ** 2
+    put(world.told, (n, 0), fx)
+    put(world.told, (n, 1), fy)
+    put(world.told, (n, 2), fz)
+    return change
 
 
 @inner
