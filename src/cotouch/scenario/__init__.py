@@ -16,6 +16,7 @@ from cotouch.scenario._leading import (
 from cotouch.scenario._messages import sentence
 from cotouch.scenario._penetration import resolve_penetration
 from cotouch.scenario._per_user import per_user
+from cotouch.scenario._rigid_tool_table import RigidToolTable
 from cotouch.scenario._rigid_tools import RigidTool, rows_of, with_tools
 from cotouch.scenario._scenario import Scenario
 from cotouch.scenario._surface_tables import TextureTable
@@ -56,6 +57,7 @@ __all__ = [
     "Positive",
     "Probability",
     "RigidTool",
+    "RigidToolTable",
     "Scenario",
     "SimulatedDeviceTable",
     "Table",

@@ -139,6 +139,7 @@ class TextureTable(Table):
                 self.profile(),
                 spacing=min(self._finest(), radius / _OF_RADIUS),
                 most=_MOST_POINTS,
+                smooth=surface.tools(),
             )
         except BodyError as error:
             raise ScenarioError(
