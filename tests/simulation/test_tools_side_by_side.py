@@ -46,7 +46,8 @@ def test_a_plate_a_ball_and_a_grasp_hold_one_block() -> None:
     pushes = {"user": 2, "at": [0.055, 0.02, 0.01], **BALL, "device": {"preset": "omega"}}
     holds = {"user": 1, "kind": "grasp", "at": [0.0, 0.0, 0.02], "radius": 0.011, "stiffness": 100, "damping": 0.5}
     tools = [pushes | {"hand": led([0.1, -0.012, 0, 0])}, LED, holds | {"hand": led([0.1, -0.005, 0, 0])}]
-    run, _, prepared = side_by_side(tools, record={"frames": 20})
+    texture = {"pattern": "bumps", "wavelength": 0.004, "height": 2e-4}
+    run, _, prepared = side_by_side(tools, record={"frames": 20}, contact={"texture": texture})
     assert run["touch_force"].values[0, -1, 0] > 0.2  # out of the block
     assert run["touching"].values[1, -1] == 4.0  # a corner, its neighbours, and none of what the plate is made of
     assert run["touch_force"].values[1, -1, 0] > 0.1
@@ -64,21 +65,26 @@ def test_a_plate_a_ball_and_a_grasp_hold_one_block() -> None:
     assert shown.ports is not None
     assert list(shown.tools.owner) == [1, 0]
     assert list(shown.ports.owner) == [0]
+    assert shown.texture is not None
+    assert '"texture": {"rows": 64,' in shown.page()
+    assert [part.get("bare", False) for part in shown.parts] == [False, True]
 
 
 def test_balls_and_grasps_meet_no_tool_of_another_user() -> None:
-    """Ben's ball goes through where Ann's plate is to the block; his grasp there holds the block, which is farther."""
+    """Ben's ball goes through where Ann's plate is to the block; his grasp there holds nodes of the block alone."""
     above = {**LED, "at": ABOVE, "hand": HELD | {"path": [0, 0, 0]}}
     ball = {"user": 2, "at": [0.02, 0.02, 0.058], **BALL, "hand": led([0.1, 0, 0, -0.032])}
-    holds = {"user": 2, "kind": "grasp", "at": [0.04, 0.04, 0.06], "radius": 0.03, "stiffness": 10, "damping": 0.1}
-    run, *_ = side_by_side([ball, above, holds])
+    holds = {"user": 2, "kind": "grasp", "at": [0.04, 0.04, 0.06], "radius": 0.045, "stiffness": 10, "damping": 0.1}
+    run, _, prepared = side_by_side([ball, above, holds])
     force, place = run["touch_force"].values[0], run["tool_position"].values[0]
     through = (place[:, 2] > 0.029) & (np.arange(place.shape[0]) > 0)
     assert place[0, 2] - 0.008 < ABOVE[2] + 0.01
     assert np.count_nonzero(through) > 50
     assert np.all(force[through] == 0.0)
     assert force[-1, 2] > 0.3  # on the block
-    assert run["touching"].values[1, -1] == 1.0  # the nearest node that there is
+    near = np.linalg.norm(prepared.body.rest - holds["at"], axis=1) < holds["radius"]
+    assert np.count_nonzero(near[prepared.body.shared :]) > 0  # masses of the plate
+    assert run["touching"].values[1, -1] == np.count_nonzero(near[: prepared.body.shared]) == 6
 
 
 def test_ones_own_ball_meets_ones_own_plate() -> None:

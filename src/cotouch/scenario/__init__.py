@@ -3,6 +3,7 @@
 from cotouch.scenario._bodies_table import colours_of
 from cotouch.scenario._body_tables import FileTable
 from cotouch.scenario._channel import Channel
+from cotouch.scenario._drawn_texture import DrawnTexture
 from cotouch.scenario._hands import Hands, grip, ports_of
 from cotouch.scenario._law_choice import makes_tree, options_of_springs, with_law_of_session
 from cotouch.scenario._leading import (
@@ -48,6 +49,7 @@ from cotouch.scenario._world_table import WorldTable
 __all__ = [
     "DEFAULT_RATE",
     "Channel",
+    "DrawnTexture",
     "FileTable",
     "HandTable",
     "Hands",
