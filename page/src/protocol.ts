@@ -24,8 +24,26 @@ export interface Part {
   name: string;
   vertices: number;
   colour: string | null;
+  /** Whether the session's texture is not on it: it is a tool. */
+  bare?: boolean;
   /** Of a tool that can be led: whose it is, which of that user's, and where its handle is at rest [m]. */
   tool?: { slot: number; number: number; handle: Vec };
+}
+
+/** Heights on the skin at rest: one tile of a map that repeats, laid on it as contact lays it. */
+export interface Texture {
+  /** Of the middles of its parts, rows along the second side, from 0 to 65535 for `top`. */
+  heights: Uint16Array;
+  rows: number;
+  columns: number;
+  /** Lengths of its two sides [m]. */
+  size: [number, number];
+  /** [m] */
+  top: number;
+  /** By which it is turned in its plane [rad]. */
+  angle: number;
+  /** Axis that it is laid on along, or "triplanar": that which the skin looks to. */
+  projection: "x" | "y" | "z" | "triplanar";
 }
 
 /** What a server run shows; does not change while it runs. Lengths in m. */
@@ -53,6 +71,8 @@ export interface Scene {
   obstacles: Obstacle[];
   /** Several bodies, in the order of their vertices; empty: there is one. */
   parts: Part[];
+  /** What lies on the skin of all that are not bare; null: nothing that can be seen. */
+  texture: Texture | null;
   radius: number;
   centre: Vec;
   /** Usual stiffness of a hand [N/m]. */
@@ -264,6 +284,20 @@ function bytes(text: string): ArrayBuffer {
   return result.buffer;
 }
 
+const FINEST = 1e-4, COARSEST = 1e4; // sides of a texture's tile, in radii of the object
+const MOST = 256; // heights along a side
+
+/** A texture as it comes; null where there is none, or none that could be drawn. @param radius of the object [m] */
+export function readTexture(told: any, radius: number): Texture | null {
+  if (!told) return null;
+  const heights = new Uint16Array(bytes(String(told.heights)));
+  const { rows, columns, size, top, angle, projection } = told;
+  const counted = [rows, columns].every((count) => Number.isInteger(count) && count >= 1 && count <= MOST) && heights.length === rows * columns;
+  const measured = Array.isArray(size) && size.length === 2 && size.every((side) => side >= FINEST * radius && side <= COARSEST * radius);
+  const known = Number.isFinite(angle) && top > 0 && top <= radius && ["x", "y", "z", "triplanar"].includes(projection);
+  return counted && measured && known ? { heights, rows, columns, size: [size[0], size[1]], top, angle, projection } : null;
+}
+
 /** A scene as it comes, with its numbers decoded. */
 export function readScene(message: any): Scene {
   const rest = new Float32Array(bytes(message.nodes.rest));
@@ -285,6 +319,7 @@ export function readScene(message: any): Scene {
     skin,
     cutting: cutting ?? null,
     parts: message.parts ?? [],
+    texture: readTexture(message.texture, message.radius),
     edges: message.edges ? new Uint32Array(bytes(message.edges)) : null,
     started: String(message.started),
     points: skin ? skin.rest : rest,

@@ -66,10 +66,9 @@ export class Store {
     return this.connection === "open" && !this.state?.ended && (this.state?.age ?? 0) > STALE;
   }
 
-  /** What the pointer can do: a blade only where something can be cut, and no ball beside rigid tools. */
+  /** What the pointer can do: a blade only where something can be cut. */
   get tools(): Tool[] {
-    const tools: Tool[] = this.scene?.parts.some((part) => part.tool) ? ["grab"] : ["grab", "ball"];
-    return this.scene?.cutting ? [...tools, "blade"] : tools;
+    return this.scene?.cutting ? ["grab", "ball", "blade"] : ["grab", "ball"];
   }
 
   /** What it does. */

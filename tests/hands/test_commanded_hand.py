@@ -246,7 +246,7 @@ def test_a_ball_that_is_put_into_the_body_begins_outside_and_pushes() -> None:
         copy.run(0.016)
     assert np.linalg.norm(copy.force()) > 0.05
     place = copy.hand.tools.place[-1, :3]
-    assert resolve_penetration(copy.body, copy.positions(), place, 0.002) is None  # its middle is not in it
+    assert resolve_penetration(copy.body, copy.positions(), place, 0.002, 0) is None  # its middle is not in it
 
 
 def test_a_ball_that_grows_while_it_touches_by_a_law_gives_no_energy() -> None:

@@ -253,7 +253,7 @@ def test_a_device_that_says_how_it_is_turned_turns_its_tool():
     assert np.abs(np.diff(turned)).max() < 0.03  # nothing leaps where a rotation vector would
 
 
-def test_the_other_tools_of_a_slot_rest_and_who_has_none_holds_the_body():
+def test_the_other_tools_of_a_slot_rest_and_who_has_none_gets_a_ball():
     other = RIGID.split("[[tools]]")[1].replace("0.0, 0.0, 0.0405", "0.0, 0.2, 0.0")
     hand, peer, _, residual = led(RIGID + "[[tools]]" + other, [0.0, 0.0, 0.02], Led(said=CouplingChoice(tool=2)))
     assert residual < 1e-12
@@ -263,9 +263,25 @@ def test_the_other_tools_of_a_slot_rest_and_who_has_none_holds_the_body():
     assert len(hand.nodes) == hand.ports.row.size == 10
     hand, peer, _, residual = led(RIGID.replace("user = 1", "user = 2"), [0.0, 0.0, 0.02])
     assert residual < 1e-12
-    assert hand.tools is None
-    assert len(hand.nodes) == 1
-    assert peer.model.to_nodes(peer.state.position)[hand.nodes[0], 2] == pytest.approx(0.0198, abs=1e-3)
+    assert not hand.nodes
+    assert hand.tools is not None
+    # Above the block, where Ben's tool is not, though it is there in his copy.
+    assert hand.tools.place[0, :3] == pytest.approx([0.0, 0.0, 0.0222 + 0.02], abs=2e-4)
+
+
+def test_a_device_in_each_hand_moves_a_ball_and_a_rigid_tool():
+    """By their numbers in the file, whichever kind comes first."""
+    ball = "[[tools]]\nuser = 1\nat = [0.0, 0.0, 0.2]\nradius = 0.008\n"
+    for text, rigid in ((RIGID + ball, 0), (RIGID.replace("[[tools]]", ball + "[[tools]]", 1), 1)):
+        said = [CouplingChoice(), CouplingChoice()]
+        said[rigid] = CouplingChoice(scale=2.0)
+        hand, peer, _, residual = led(text, [0.0, 0.0, 0.01], *(Led(said=one) for one in said))
+        assert residual < 1e-12
+        assert hand.tools is not None
+        assert hand.tools.place[0, 2] == pytest.approx(0.21, abs=2e-4)
+        moved = peer.model.to_nodes(peer.state.position)
+        assert moved[4:8, 2] == pytest.approx(0.02, abs=4e-4)
+        assert len(hand.nodes) == hand.ports.row.size == 5
 
 
 def test_a_device_in_each_hand_moves_a_tool_each():

@@ -152,13 +152,13 @@ def test_where_a_sphere_is_clear_of_a_box() -> None:
         away = np.maximum(np.maximum(-centre, centre - 0.02), 0.0)
         outside = float(np.linalg.norm(away))
         depth = 0.005 - (outside or -min(*centre, *(0.02 - centre)))
-        found = resolve_penetration(box, still, centre, 0.005)
+        found = resolve_penetration(box, still, centre, 0.005, 0)
         assert (found is None) == (depth <= 0.0)
         if found is not None:
             assert found[0] == pytest.approx(depth)
-            assert resolve_penetration(box, still, found[1] + 1e-9 * (found[1] - 0.01), 0.005) is None
+            assert resolve_penetration(box, still, found[1] + 1e-9 * (found[1] - 0.01), 0.005, 0) is None
     moved = still + np.array([0.0, 0.0, 0.1])
-    assert resolve_penetration(box, moved, np.array([0.01, 0.01, 0.01]), 0.005) is None
+    assert resolve_penetration(box, moved, np.array([0.01, 0.01, 0.01]), 0.005, 0) is None
 
 
 def test_a_tool_inside_the_body_may_wait_there_but_not_touch() -> None:

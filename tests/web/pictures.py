@@ -9,7 +9,6 @@ from urllib.parse import urlsplit
 from playwright.sync_api import Browser, Page
 from tests.web.fake_session_api import FakeSessionApi, Kind
 
-from cotouch.mechanics import Shape
 from cotouch.observers import MoveHand
 from cotouch.web import PageServer
 
@@ -25,8 +24,8 @@ BEFORE = 'localStorage.setItem("cotouch.tour", JSON.stringify({over: true}))'
 class Shown:
     """A stage, its server, and pages with all that they asked for and complained about."""
 
-    def __init__(self, running: Browser, kind: Kind, *, still: bool, shapes: tuple[Shape, ...] = ()) -> None:
-        self.browser, self.kind, self.shapes = running, kind, shapes
+    def __init__(self, running: Browser, kind: Kind, *, still: bool, **stands: Any) -> None:
+        self.browser, self.kind, self.stands = running, kind, stands
         self.complaints: list[str] = []
         self.requests: list[str] = []
         self.pages: list[Page] = []
@@ -36,7 +35,7 @@ class Shown:
     def made(self, *, still: bool = True) -> FakeSessionApi:
         """A stage; still: no hand holds anything."""
         api = FakeSessionApi(self.kind)
-        api._scene = replace(api.scene, shapes=self.shapes)
+        api._scene = replace(api.scene, **self.stands)
         for slot in range(5) if still else ():
             api.do(MoveHand(slot=slot, mode="free"))
         return api
@@ -65,11 +64,16 @@ class Shown:
 
 
 @contextmanager
-def shown(
-    running: Browser, kind: Kind = "3d", *, still: bool = True, shapes: tuple[Shape, ...] = ()
-) -> Generator[Shown]:
-    """Closed at the end; no page may have complained, or asked for anything from elsewhere."""
-    made = Shown(running, kind, still=still, shapes=shapes)
+def shown(running: Browser, kind: Kind = "3d", *, still: bool = True, **stands: Any) -> Generator[Shown]:
+    """Closed at the end; no page may have complained, or asked for anything from elsewhere.
+
+    Args:
+        running: the browser.
+        kind: of body.
+        still: no hand holds anything.
+        **stands: what else the scene has, by name.
+    """
+    made = Shown(running, kind, still=still, **stands)
     try:
         yield made
         assert made.complaints == []

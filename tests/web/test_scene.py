@@ -32,5 +32,6 @@ def test_it_tells_several_bodies_apart_and_has_meshes_that_stand_still() -> None
         {"name": "high", "vertices": 8, "colour": "#ff0000"},
     ]
     assert [len(told["obstacles"][0][name]) for name in ("vertices", "triangles")] == [24, 36]
+    assert told["texture"] is None
     alone = Scene(title="one", body=die, **given)
     assert scene_message(alone, version="1", started="now", acts=True)["parts"] == []

@@ -14,6 +14,7 @@
  * @property {{name: string, unit: string}[]} series
  * @property {{displacement: number, difference: number}} peaks [m]
  * @property {import("../protocol").Obstacle[]} obstacles what stands still around
+ * @property {unknown} texture on the skin, as `readTexture` reads it
  * @property {import("../protocol").Part[]} parts several bodies, in the order of their vertices; empty: there is one
  */
 /** @typedef {{name: string, unit: string, values: ArrayLike<number>}} Series values by frame and user */

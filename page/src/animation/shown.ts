@@ -1,6 +1,6 @@
 // The page's space without a session: copies, hands, ground and obstacles of an animation at any of its moments.
 import { Box3, CylinderGeometry, Mesh, Quaternion, type ShaderMaterial, Scene as World, Vector3, WebGLRenderer } from "three";
-import type { Obstacle, Scene } from "../protocol";
+import { readTexture, type Obstacle, type Scene } from "../protocol";
 import { Common, CopyShown } from "../space/copy";
 import { Ground } from "../space/ground";
 import { Obstacles, cornersOf, floorOf } from "../space/obstacles";
@@ -188,6 +188,7 @@ function sceneOf(run: Run, centre: Vector3, radius: number, flat: boolean): Scen
     title: header.title, version: "", dimension: flat ? 2 : 3, users: header.users.map((name, slot) => ({ name, slot })), own: [], may: [],
     acts: false, invitation: null, page: null, started: "", stiffness: 0, radius, centre: [centre.x, centre.y, centre.z],
     nodes: { count: run.vertices, rest }, points: rest, edges, obstacles: header.obstacles, parts: header.parts, cutting: null,
+    texture: readTexture(header.texture, radius),
     skin: triangles.length ? { vertices: run.vertices, rest, triangles, node } : null,
   };
 }

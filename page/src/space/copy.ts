@@ -1,6 +1,7 @@
 // One user's copy in the picture: solid, or a ghost over one's own.
 import { Group, LineSegments, Mesh, Points, ShaderMaterial, Vector3 } from "three";
 import { channels, RAMP_STOPS } from "../colours";
+import { type Relief, reliefOf } from "./relief";
 import { defines, edges, ghost, nodes, solid } from "./shaders";
 import { Moving, type Shape } from "./shape";
 
@@ -16,9 +17,12 @@ export class Common {
   readonly apart: { value: number };
   readonly size: { value: number };
   readonly height = { value: 1 };
+  /** The texture on the skin; null: it is smooth. */
+  readonly relief: Relief | null;
 
   constructor(radius: number, shape: Shape) {
     this.apart = { value: 0.05 * radius };
+    this.relief = shape.looks ? reliefOf(shape.scene.texture!) : null;
     // Balls of a third of what is between them.
     const lengths = shape.restLengths;
     const between = lengths.length ? lengths.reduce((sum, one) => sum + one, 0) / lengths.length : radius;
@@ -42,10 +46,11 @@ export class CopyShown {
   constructor(readonly slot: number, shape: Shape, common: Common) {
     this.moving = new Moving(shape);
     const { geometry, lines, film } = this.moving;
-    const uniforms = { ...common, plain: this.plain, flash: this.flash };
+    const { relief, ...shared } = common;
+    const uniforms = { ...shared, plain: this.plain, flash: this.flash };
     const make = (source: { vertex: string; fragment: string }, own: object, clear: boolean) => {
       const made = new ShaderMaterial({
-        defines: defines(),
+        defines: { ...defines(), ...(source === solid && relief ? { RELIEF: "" } : {}) },
         vertexShader: source.vertex, fragmentShader: source.fragment, uniforms: { ...uniforms, ...own },
         transparent: clear, depthWrite: !clear, side: clear ? 0 : 2,
       });
@@ -53,7 +58,7 @@ export class CopyShown {
       return made;
     };
     if (shape.triangles) {
-      this.body.add(new Mesh(geometry, make(solid, { tinted: this.tinted }, false)));
+      this.body.add(new Mesh(geometry, make(solid, { tinted: this.tinted, ...relief }, false)));
       this.shell.add(new Mesh(film!, make(ghost, { colour: this.colour, strength: this.strength }, true)));
     } else {
       const plainOnly = { plain: this.colour, by: { value: 2 } };

@@ -41,7 +41,44 @@ vec3 ramp(float value) {
 }
 `;
 
-/** A copy, solid. */
+/** Slopes of a texture on a skin, as contact has it, and the light that they catch. */
+const relief = /* glsl */ `
+#ifdef RELIEF
+uniform sampler2D tile;
+uniform vec2 tiles, turn;
+uniform float steep;
+uniform vec3 along;
+/** Slopes along two axes, and height, seen along the third. */
+vec3 laid(vec2 at) {
+  vec3 found = texture2D(tile, vec2(dot(at, turn), turn.x * at.y - turn.y * at.x) * tiles).rgb;
+  vec2 slope = (found.rg * 255.0 - 128.0) / 127.0 * steep;
+  return vec3(turn.x * slope.x - turn.y * slope.y, turn.y * slope.x + turn.x * slope.y, found.b);
+}
+/** The normal of the skin with its texture; colour gets what hollows lack of light. q: place, at: at rest, m: normal. */
+vec3 rough(vec3 q, vec3 at, vec3 looks, vec3 m, inout vec3 colour) {
+  vec3 share = looks * looks;
+  share *= share;
+  float all = share.x + share.y + share.z;
+  share = all > 1e-6 ? (along == vec3(0.0) ? share / all : along) : vec3(0.0);
+  vec3 x = vec3(0.0), y = vec3(0.0), z = vec3(0.0);
+  if (along.y + along.z == 0.0) x = laid(at.yz);
+  if (along.x + along.z == 0.0) y = laid(at.xz);
+  if (along.x + along.y == 0.0) z = laid(at.xy);
+  vec3 slope = share.x * vec3(0.0, x.xy) + share.y * vec3(y.x, 0.0, y.y) + share.z * vec3(z.xy, 0.0);
+  slope *= min(1.0, 3.0 / max(length(slope), 1e-6));
+  float height = dot(share, vec3(x.z, y.z, z.z));
+  if (all > 1e-6) colour *= 0.86 + 0.14 * height;
+  // What rises from pixel to pixel tilts the normal, however the skin is stretched [Mikkelsen 2010].
+  vec3 right = dFdx(q), over = dFdy(q), first = cross(over, m), second = cross(m, right);
+  float size = dot(right, first);
+  vec3 rises = sign(size) * (dot(slope, dFdx(at)) * first + dot(slope, dFdy(at)) * second);
+  vec3 tilted = abs(size) * m - rises;
+  return dot(tilted, tilted) > 0.0 ? normalize(tilted) : m;
+}
+#endif
+`;
+
+/** A copy, solid; with RELIEF its texture needs light at pixels everywhere. */
 export const solid = {
   vertex: /* glsl */ `
     ${light}${ramp}
@@ -50,17 +87,25 @@ export const solid = {
     uniform float scale, full, flash, tinted;
     uniform vec3 plain;
     uniform int by;
-    #ifdef LEAN
+    #if defined(LEAN) && !defined(RELIEF)
     varying vec3 shown;
     #else
     varying vec3 n, p, own;
     varying float v;
     #endif
+    #ifdef RELIEF
+    attribute vec3 looks;
+    varying vec3 stands, faces;
+    #endif
     void main() {
       vec4 q = modelViewMatrix * vec4(position + shift * scale, 1.0);
       float far = (by == 0 ? length(shift) * scale : value) / full;
       gl_Position = projectionMatrix * q;
-      #ifdef LEAN
+      #ifdef RELIEF
+      stands = position;
+      faces = looks;
+      #endif
+      #if defined(LEAN) && !defined(RELIEF)
       vec3 eye = normalize(-q.xyz), m = normalize(mat3(modelViewMatrix) * normal + 1e-20);
       if (dot(m, eye) < -0.2) m = -m;
       shown = mix(lit(by == 2 ? (tinted > 0.0 ? tinted * tint : plain) : ramp(far), m, eye, 0.20), vec3(1.0), flash * 0.5);
@@ -72,19 +117,25 @@ export const solid = {
       #endif
     }`,
   fragment: /* glsl */ `
-    #ifdef LEAN
+    #if defined(LEAN) && !defined(RELIEF)
     varying vec3 shown;
     void main() { gl_FragColor = vec4(shown, 1.0); }
     #else
-    ${light}${ramp}
+    ${light}${ramp}${relief}
     uniform int by;
     uniform float flash;
     varying vec3 n, p, own;
     varying float v;
+    #ifdef RELIEF
+    varying vec3 stands, faces;
+    #endif
     void main() {
       vec3 eye = normalize(-p), m = normalize(n);
       if (!gl_FrontFacing) m = -m;
       vec3 colour = by == 2 ? own : ramp(v);
+      #ifdef RELIEF
+      m = rough(p, stands, faces, m, colour);
+      #endif
       gl_FragColor = vec4(mix(lit(colour, m, eye, 0.20), vec3(1.0), flash * 0.5), 1.0);
     }
     #endif`,

@@ -2,6 +2,7 @@
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, StaticDrawUsage } from "three";
 import { bodyColour, channels } from "../colours";
 import { readCut, type Scene } from "../protocol";
+import { looksOf } from "./relief";
 import { type RigidTool, toolsOf } from "./tool";
 
 /** Faces that meet at more than this are an edge, not a curve. */
@@ -26,6 +27,9 @@ export class Shape {
 
   /** Of every corner the colour of its body, from 0 to 1; null where there is one body. */
   readonly tint: Float32Array | null;
+
+  /** Where the skin looks at every corner at rest, for a texture; null: it is smooth. */
+  readonly looks: Float32Array | null;
 
   /** Rigid tools that can be led. */
   readonly tools: RigidTool[];
@@ -52,6 +56,7 @@ export class Shape {
       for (let k = 0; k < 3; k++) this.rest[3 * c + k] = scene.points[3 * point + k]!;
     });
     this.tools = toolsOf(scene, this.corner, this.point, this.triangles);
+    this.looks = scene.skin && scene.texture ? looksOf(scene, this.point) : null;
     this.tint = scene.parts.length ? tints(scene.parts, this.point) : null;
     this.sides = scene.skin ? sidesOf(scene.skin.triangles, this.corner, points) : (scene.edges ?? new Uint32Array());
     const count = this.sides.length / 2;
@@ -115,6 +120,7 @@ export class Moving {
     }
     if (shape.triangles) {
       this.geometry.setAttribute("normal", this.normal);
+      if (shape.looks) this.geometry.setAttribute("looks", new BufferAttribute(shape.looks, 3));
       if (shape.tint) this.geometry.setAttribute("tint", new BufferAttribute(shape.tint, 3));
       const index = shape.loose ? shape.triangles.slice() : shape.triangles; // what is cut has one of its own
       this.geometry.setIndex(new BufferAttribute(index, 1).setUsage(shape.loose ? DynamicDrawUsage : StaticDrawUsage));

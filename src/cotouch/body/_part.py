@@ -176,8 +176,8 @@ def drawn_parts(
 ) -> list[dict[str, Any]]:
     """What a page tells several bodies apart by: `name`, `vertices` of its skin, and `colour`; of one body nothing.
 
-    A tool that can be held has a `tool`, too: its `slot`, which of that user's such tools it is (`number`, from 0), and
-    where its `handle` is at rest.
+    A tool is `bare`, without the texture that others may have. One that can be held has a `tool`, too: its `slot`,
+    which of that user's such tools it is (`number`, from 0), and where its `handle` is at rest.
 
     Args:
         body: of one or several.
@@ -192,6 +192,8 @@ def drawn_parts(
     numbers: dict[int, int] = {}
     for part, count, colour in zip(body.parts, each, given, strict=False):
         found.append({"name": part.name, "vertices": int(count), "colour": colour})
+        if part.tool is not None:
+            found[-1]["bare"] = True
         if part.tool is not None and part.tool.grips:
             slot = part.tool.owner
             numbers[slot] = number = numbers.get(slot, -1) + 1

@@ -51,17 +51,18 @@ class Ball(LedTool):
         radius: [m].
     """
 
-    def __init__(self, tools: Tools, index: int, body: Body, *, size: float) -> None:
+    def __init__(self, tools: Tools, index: int, body: Body, user: int, *, size: float) -> None:
         """Takes over a tool.
 
         Args:
             tools: of the copy.
             index: of the ball.
             body: the shared object.
+            user: whose it is, from 0.
             size: radius of the body [m].
         """
         super().__init__(tools, index, TOUCH)
-        self._body, self._size = body, size
+        self._body, self._user, self._size = body, user, size
         self._wanted = self.radius = _USUAL * size
 
     def want(self, radius: float) -> None:
@@ -79,7 +80,7 @@ class Ball(LedTool):
         tools, t = self._tools, self._t
         self.radius = self._wanted
         where = np.array(place, dtype=np.float64)
-        reached = resolve_penetration(self._body, displacement, where, self.radius)
+        reached = resolve_penetration(self._body, displacement, where, self.radius, self._user)
         if reached is not None:
             where = reached[1]
         tools.radius[t] = self.radius

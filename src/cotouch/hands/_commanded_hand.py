@@ -121,8 +121,8 @@ class CommandedHand:
         self.tools: Tools | None = None
         self.contact: Contact | None = None
         tables = [tool for tool in scenario.proxies if tool.user == slot + 1]
-        touches = body.skin is not None and not body.tools  # it would meet everybody's, also where these are not
-        balls = [ball_table(slot, body, size=self._size, stiffness=self.usual)] if touches else []
+        skinned = body.skin is not None
+        balls = [ball_table(slot, body, size=self._size, stiffness=self.usual)] if skinned else []
         cutting = body.cut_count > 0
         cutting &= scenario.cutting is None or scenario.cutting.may(slot + 1)
         blades = [blade_table(slot, body, size=self._size)] if cutting else []
@@ -142,7 +142,7 @@ class CommandedHand:
             self.contact = self._touching.contact
             self.surface, self.tools = self._touching.surface, tools_of(self._touching, slot)
             if balls:
-                self._ball = Ball(self._touching.tools, len(tables), body, size=self._size)
+                self._ball = Ball(self._touching.tools, len(tables), body, slot, size=self._size)
             if blades:
                 self._blade = Blade(self._touching.tools, len(tables) + len(balls), size=self._size)
         self._tabled = bool(tables)

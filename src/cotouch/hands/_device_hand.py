@@ -21,10 +21,11 @@ from cotouch.haptics import (
     Vector,
 )
 from cotouch.mechanics import Contact, EnergyMessage, Model, Surface, Tools, idle_ports, own_ports
-from cotouch.members import Slot, coupling_of_slot, handles_of, no_ports
+from cotouch.members import Slot, coupling_of_slot, device_tools, handles_of, no_ports
 from cotouch.observers import size_of
 from cotouch.scenario import (
     HandTable,
+    RigidToolTable,
     Scenario,
     ToolTable,
     Touching,
@@ -81,24 +82,33 @@ class DeviceHand:
         self._slot = slot
         self._attached: list[GraspedNode | GraspedTool] = []
         users = scenario.network.size
-        rigid = any(tool.user == slot + 1 for tool in scenario.rigid_tools)  # devices hold these, and no blade
-        own = [table for table in scenario.proxies if table.user == slot + 1 and not rigid]
+        own = device_tools(scenario, slot)
+        rigid = [number for number, table in enumerate(own) if isinstance(table, RigidToolTable)]
         tables = _tables(own, body, slot, wanted)
+        held: dict[int, Grasped] = {}
         if tables:
             still = np.zeros((users, body.nodes, body.dimension))
             lengths = np.tile([at.period, at.longest], (users, 1))
-            self._touching, _ = touching_of(tables, users, body, model, lengths, start=still, contact=scenario.contact)
+            self._touching, _ = touching_of(
+                list(tables.values()), users, body, model, lengths, start=still, contact=scenario.contact
+            )
             assert self._touching is not None
             self.surface, self.contact = self._touching.surface, self._touching.contact
             self.tools = tools_of(self._touching, slot)
-            held: list[Grasped] = [GraspedBall(self.tools, k, table.radius) for k, table in enumerate(tables)]
-        elif rigid:
-            held = self._hold_tools(scenario, body, model, wanted if links else [])
-        else:
-            held = self._grasp(scenario, body, model, _nodes(scenario, body, slot, wanted))
-        self._holds: list[_Hold | _Unheld] = [_Unheld(one) for one in held]
-        for k, (number, one) in enumerate(zip(wanted, links, strict=False)):
-            self._holds[k] = _Hold(held[k], one, coupling_of_slot(scenario, at.devices, slot, number), body)
+            for k, (number, table) in enumerate(tables.items()):
+                held[number] = GraspedBall(self.tools, k, table.radius)
+        if rigid:
+            led = [number for number in wanted if number in rigid] if links else []
+            held |= self._hold_tools(scenario, body, model, rigid, led)
+        elif not tables:
+            held = dict(
+                zip(wanted, self._grasp(scenario, body, model, _nodes(scenario, body, slot, wanted)), strict=True)
+            )
+        self._holds: list[_Hold | _Unheld] = []
+        for number, one in zip(wanted, links, strict=False):
+            below = coupling_of_slot(scenario, at.devices, slot, number)
+            self._holds.append(_Hold(held.pop(number), one, below, body))
+        self._holds += [_Unheld(one) for one in held.values()]
 
     def attach(self, position: Float) -> None:
         """Learns where the copy's rows are, as they move."""
@@ -146,34 +156,38 @@ class DeviceHand:
             self._attached.append(GraspedNode(held, body.dimension, node - 1, (x, y, z), own.tolist()))
         return list(self._attached)
 
-    def _hold_tools(self, scenario: Scenario, body: Body, model: Model, wanted: list[int]) -> list[Grasped]:
-        """The rigid tools of the slot: those that devices move, in their order, then all others, which no hand moves.
+    def _hold_tools(
+        self, scenario: Scenario, body: Body, model: Model, rigid: list[int], led: list[int]
+    ) -> dict[int, Grasped]:
+        """The rigid tools of the slot, by their number: those that devices move, then all others that a spring holds.
 
         Raises:
-            DeviceError: a device is to move one that is not there, or that no spring holds.
+            DeviceError: a device is to move one that no spring holds.
         """
         slot = self._slot
         none, ports = ports_of([], scenario.network.size, body, model)
-        hands, _, tools = with_tools(none, ports, scenario.rigid_tools, model, slot)
-        _check_count(wanted, len(tools), slot)
-        for number in wanted:
+        hands, _, found = with_tools(none, ports, scenario.rigid_tools, model, slot)
+        tools = dict(zip(rigid, found, strict=True))
+        for number in led:
             if tools[number].hand is None:
                 raise DeviceError(
                     f"a device would move tool {number + 1} of user {slot + 1}, which has no [tools.hand] whose "
                     "springs turn it; give it one in the session's file"
                 )
-        numbers = dict(zip((k for k, tool in enumerate(tools) if tool.hand), handles_of(body, slot), strict=True))
-        order = [*wanted, *(k for k in numbers if k not in wanted)]
+        numbers = dict(zip((k for k, tool in tools.items() if tool.hand), handles_of(body, slot), strict=True))
+        order = [*led, *(k for k in numbers if k not in led)]
         self.nodes = [number for k in order for number in numbers[k]]
         self.ports, first = no_ports(model, [0] * len(self.nodes)), 0
+        held: dict[int, Grasped] = {}
         for k in order:
             points = hands.shape[tools[k].ports]
             own = range(first, first + len(numbers[k]))
             self.ports.shape[own[0]] = points.mean(axis=0)
             self.ports.shape[own[1:]] = points - points.mean(axis=0)
-            self._attached.append(GraspedTool(self.ports, own, tools[k], model))
+            held[k] = one = GraspedTool(self.ports, own, tools[k], model)
+            self._attached.append(one)
             first = own.stop
-        return list(self._attached)
+        return held
 
 
 @final
@@ -268,8 +282,10 @@ def _tools_wanted(said: Sequence[CouplingChoice], slot: int) -> list[int]:
     return [(next(left) if one.tool is None else one.tool) - 1 for one in said] or [0]
 
 
-def _tables(own: list[ToolTable], body: Body, slot: int, wanted: list[int]) -> list[ToolTable]:
-    """Tools without what moves them in the file, or such that fit; empty where nodes are held.
+def _tables(
+    own: Sequence[ToolTable | RigidToolTable], body: Body, slot: int, wanted: list[int]
+) -> dict[int, ToolTable]:
+    """Tools by number, without what moves them in the file, or such that fit; none where nodes or bodies are held.
 
     Raises:
         DeviceError: the slot has not so many.
@@ -277,25 +293,25 @@ def _tables(own: list[ToolTable], body: Body, slot: int, wanted: list[int]) -> l
     if own:
         _check_count(wanted, len(own), slot)
         bare = {"hand": None, "device": None, "begin": 0.0, "release": None}
-        return [own[number].model_copy(update=bare) for number in wanted]
-    # A ball would meet everybody's rigid tools, also where these are not.
-    if body.dimension != 3 or body.skin is None or not body.skin.triangles.size or body.tools:
-        return []
-    low, high = body.rest.min(axis=0), body.rest.max(axis=0)
+        return {k: table.model_copy(update=bare) for k in wanted if isinstance(table := own[k], ToolTable)}
+    if body.dimension != 3 or body.skin is None or not body.skin.triangles.size:
+        return {}
+    rest = body.held_rest
+    low, high = rest.min(axis=0), rest.max(axis=0)
     radius = min(max(_FRACTION * float((high - low).max()), _SMALLEST), _LARGEST)
     middle, above = 0.5 * (low + high), float(high[2]) + 1.5 * radius
     # Side by side, the first on the left, which is where y grows.
     aside = [1.5 * radius * (len(wanted) - 1 - 2 * k) for k in range(len(wanted))]
-    return [
-        ToolTable(
+    return {
+        number: ToolTable(
             user=slot + 1,
             at=[float(middle[0]), float(middle[1]) + beside, above],
             radius=radius,
             mass=_MASS,
             stiffness=_STIFFNESS,
         )
-        for beside in aside
-    ]
+        for number, beside in zip(wanted, aside, strict=True)
+    }
 
 
 def _check_count(wanted: list[int], count: int, slot: int) -> None:

@@ -1,7 +1,7 @@
 """How a body moves, passively: the compiled step and what it needs."""
 
+from cotouch.mechanics._apart import are_apart, move_apart
 from cotouch.mechanics._balance_groups import closing_of
-from cotouch.mechanics._blades import move_blades
 from cotouch.mechanics._closed import CLOSURE_ALARM, closed_settle, closed_step, slowed
 from cotouch.mechanics._contact_foundation import Foundation
 from cotouch.mechanics._contact_law import CONTACT_LAWS, press
@@ -179,6 +179,7 @@ __all__ = [
     "Workspace",
     "World",
     "approach",
+    "are_apart",
     "at",
     "available_energy",
     "begin_cut",
@@ -225,7 +226,7 @@ __all__ = [
     "modulate",
     "modulation_bound",
     "most_toll",
-    "move_blades",
+    "move_apart",
     "multiply",
     "opening_energy",
     "own_ports",

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from cotouch.arrays import Float, Int
+from cotouch.arrays import Bool, Float, Int
 from cotouch.errors import BodyError
 from cotouch.mechanics._contact_law import press
 from cotouch.mechanics._kernel import part
@@ -48,7 +48,13 @@ def bare() -> Relief:
 
 
 def relief_on(
-    place: Float, corner: Int, height: Callable[[Float, Float], Float], *, spacing: float, most: int
+    place: Float,
+    corner: Int,
+    height: Callable[[Float, Float], Float],
+    *,
+    spacing: float,
+    most: int,
+    smooth: Bool | None = None,
 ) -> Relief:
     """Heights at points of a skin at rest.
 
@@ -58,6 +64,7 @@ def relief_on(
         height: of the relief at places, (P, 3) [m], where the skin has these normals, (P, 3): >= 0, (P,) [m].
         spacing: of the points at most, > 0 [m].
         most: points.
+        smooth: triangles that stay without, (F,); None: there are none.
 
     Raises:
         BodyError: there would be more.
@@ -65,6 +72,8 @@ def relief_on(
     a, b, c = (place[corner[:, q]] for q in range(3))
     longest = np.max([np.linalg.norm(side, axis=1) for side in (b - a, c - b, a - c)], axis=0)
     cells = np.maximum(np.ceil(longest / spacing), 1.0)
+    if smooth is not None:
+        cells[smooth] = 1.0
     points = float((cells**2).sum())
     if points > most:
         raise BodyError(f"the relief needs {points:.3g} points on this skin; at most {most:.3g} are possible")
@@ -82,6 +91,8 @@ def relief_on(
         size = np.linalg.norm(ways, axis=1, keepdims=True)
         found = height(where, ways / np.where(size > 0.0, size, 1.0))
         heights[(first[own][:, None] + np.arange(len(shares))[None, :]).reshape(-1)] = found
+    if smooth is not None:
+        heights[first[:-1][smooth]] = 0.0
     return Relief(heights, first[:-1].astype(np.int32), cells, float(heights.max(initial=0.0)))
 
 

@@ -196,7 +196,7 @@ def _load_vertex(surface: Surface, work: ContactWork, v: int, diagonal: Float) -
             share, i = at(weight, (v, k)), at(row, (v, k, 0))
             store(push, i, load(push, i, FOUR) + share * load(force, v, FOUR), FOUR)
             place = 3 * touched(work, i)
-            share = surface.swing * abs(share)  # one below 0, of what is rigid, resists as well
+            share = at(surface.lever, v) * abs(share)  # one below 0, of what is rigid, resists as well
             hold[i] += share * whole
             for a in range(3):
                 store(stiff, place + a, load(stiff, place + a, FOUR) + (share * firm * ward[v, a]) * along, FOUR)

@@ -9,6 +9,7 @@ import math
 from typing import Any
 
 from cotouch.arrays import Float
+from cotouch.mechanics._absent import hide_away
 from cotouch.mechanics._balance_parts import hold_parts
 from cotouch.mechanics._contact_balance import balanced, dot_rows
 from cotouch.mechanics._contact_catch import begin_catch, catch
@@ -235,6 +236,7 @@ def _begin(
                 tools.stretch[t, a] = 0.0
     if not acting:
         return False
+    hide_away(surface, touch.fit, state.memory)
     refit(surface, touch.fit, state.position, lanes)
     touch.quick[0] = fastest(surface, state.velocity, lanes)
     for t in range(tools.mode.shape[0]):
@@ -247,7 +249,7 @@ def _begin(
             _begin_tool(law, surface, touch, tools, t)
             begin_snap(surface, touch, tools, t)
         elif tools.mode[t] == GRASP and tools.held[t] < 0:
-            take(surface, touch.fit, tools, t, state.position, lanes)
+            take(surface, touch.fit, tools, t, state.position, state.memory, lanes)
     return True
 
 

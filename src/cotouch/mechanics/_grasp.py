@@ -4,6 +4,7 @@
 import numpy as np
 
 from cotouch.arrays import Float, Int
+from cotouch.mechanics._absent import is_held_away
 from cotouch.mechanics._contact_near import touched
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import part
@@ -47,7 +48,9 @@ def held_rate(hold_row: Int, shape: Float, hold: int, axis: int, mean: Float) ->
 
 
 @part
-def take(surface: Surface, fit: Fit, tools: Tools, t: int, position: Float, lanes: tuple[int, ...]) -> None:
+def take(
+    surface: Surface, fit: Fit, tools: Tools, t: int, position: Float, memory: Float, lanes: tuple[int, ...]
+) -> None:
     """Takes hold of the nodes within the tool's radius, or of the nearest, with springs that start relaxed."""
     hold_row, rest, hold_rest, moved = surface.hold_row, surface.rest, surface.hold_rest, fit.place
     hold_of, offset, centre = tools.hold, tools.offset, tools.place
@@ -56,6 +59,8 @@ def take(surface: Surface, fit: Fit, tools: Tools, t: int, position: Float, lane
     limit = tools.radius[t] * tools.radius[t]
     count, worst, nearest, near = 0, 0, 0, np.inf
     for h in range(hold_rest.shape[0]):
+        if is_held_away(surface, memory, h):
+            continue
         if modal:
             place_vertex(surface, fit, h, position, lanes)
         square = 0.0

@@ -12,12 +12,13 @@ from typing import NamedTuple
 import numpy as np
 import scipy.sparse as sp
 
-from cotouch.arrays import Float, Int
+from cotouch.arrays import Bool, Float, Int
 from cotouch.body import Body, cut_skin
 from cotouch.errors import BodyError
 from cotouch.mechanics._contact_relief import Relief, bare
 from cotouch.mechanics._kernel import block
 from cotouch.mechanics._model import Model
+from cotouch.mechanics._tool_bodies import tool_marks
 from cotouch.mechanics._vector import FOUR, at, load, lower, splat, store, upper
 from cotouch.passing import by_address
 
@@ -48,6 +49,9 @@ class Surface(NamedTuple):
         soft: what a truncated body lacks in static compliance at a corner of each triangle, and between two of its
             corners, (F, 2), else (0, 2) [m/N].
         swing: how many times as fast as the fastest row a vertex can be; 1 where weights are none below 0.
+        lever: how many times its share of a vertex a row resists: `swing` where weights are below 0, else 1, (V,).
+        away: where in a copy's memory it is whether the body of each triangle, and of each that a grasp may hold, is
+            not in it; negative: it always is, (F + H,), or (0,) without tools that are bodies.
         relief: heights on it.
     """
 
@@ -67,7 +71,15 @@ class Surface(NamedTuple):
     hold_row: Int
     soft: Float
     swing: float
+    lever: Float
+    away: Int
     relief: Relief
+
+    def tools(self) -> Bool:
+        """Which triangles are of tools that are bodies, (F,)."""
+        found = np.zeros(self.corner.shape[0], dtype=np.bool_)
+        found[np.flatnonzero(self.away[: found.size] >= 0)] = True
+        return found
 
 
 @by_address
@@ -81,7 +93,7 @@ class Fit(NamedTuple):
         high: likewise.
         size: modal: magnitudes of the rows' coordinates, (rows, width).
         number: modal: number of the search, (1,).
-        hidden: 1 where a triangle is not there, because the body was cut, (F,).
+        hidden: 1 where a triangle is not there, because the body was cut or is another user's tool, (F,).
     """
 
     place: Float
@@ -120,6 +132,8 @@ def surface_of(model: Model) -> Surface:
         hold_row = own.reshape(body.nodes, axes).astype(np.int32)
         row, weight = np.ascontiguousarray(hold_row[nodes]), np.ascontiguousarray(weights, dtype=np.float64)
         hold_rest = _padded(body.rest)
+    turns = (weights < 0.0).any(axis=1) if body.tools else np.full(weights.shape[0], body.rigid)
+    swing = float(np.abs(weights[turns]).sum(axis=1).max(initial=1.0))
     return Surface(
         rest=_padded(rest),
         corner=corner,
@@ -136,7 +150,9 @@ def surface_of(model: Model) -> Surface:
         hold_rest=hold_rest,
         hold_row=hold_row,
         soft=_softness(model, rest, corner) if body.truncation is not None else np.zeros((0, 2)),
-        swing=float(np.abs(weights).sum(axis=1).max()) if body.rigid else 1.0,
+        swing=swing,
+        lever=np.where(turns, swing, 1.0),
+        away=tool_marks(model, corner) if body.tools else np.zeros(0, dtype=np.int32),
         relief=bare(),
     )
 

@@ -9,7 +9,7 @@ import numpy as np
 import scipy.sparse as sp
 
 from cotouch.arrays import Float, Int
-from cotouch.body import Body, pulls_of
+from cotouch.body import Body, cut_skin, drawn_tools, pulls_of
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Meeting
 from cotouch.mechanics._vector import at, put
@@ -73,6 +73,31 @@ def unsettled(model: "Model", user: int) -> Float:
     return memory
 
 
+def tool_marks(model: "Model", corner: Int) -> Int:
+    """Where in a copy's memory it is whether the body of each triangle and node is not in it; negative: it always is.
+
+    Args:
+        model: of a body with tools.
+        corner: vertices of each drawn triangle, (F, 3).
+
+    Returns:
+        Of triangles, then of nodes, (F + n,).
+    """
+    body = model.body
+    assert model.force is not None
+    assert model.force.world is not None
+    assert model.force.world.bodies is not None
+    mark = model.force.world.bodies.away + np.arange(len(body.parts))
+    triangles, nodes = np.full(corner.shape[0], -1), np.full(body.nodes, -1)
+    drawn = drawn_tools(body, cut_skin(body) if body.cut_count else None)
+    for number, one in enumerate(body.parts):
+        if one.tool is not None:
+            first, last, _ = drawn.pop(0)
+            triangles[(corner[:, 0] >= first) & (corner[:, 0] < last)] = mark[number]
+            nodes[one.first : one.last] = mark[number]
+    return np.concatenate([triangles, nodes]).astype(np.int32)
+
+
 @inner
 def _add_push(m: Meeting, row: int, share: float, fx: float, fy: float, fz: float) -> None:
     put(m.push, (row, 0), at(m.push, (row, 0)) + share * fx)
@@ -105,23 +130,26 @@ def note_push(world: World, m: Meeting, e: int, f: int, fx: float, fy: float, fz
 
 
 @inner
-def _copy_push(m: Meeting | None, scale: float, out: Float) -> None:
+def _add_pushes(m: Meeting | None, scale: float, weight: Float, fresh: bool, out: Float) -> None:
     if m is not None:
         for n in range(m.push.size):
-            put(out, n, scale * at(m.push, n))
+            before = 0.0 if fresh or at(weight, n) == 0.0 else at(out, n)
+            put(out, n, before + scale * at(m.push, n))
 
 
 @inner
-def tell_push(world: World | None, scale: float, out: Float) -> None:
-    """What tools that are bodies did to the others in the step; nothing without them.
+def tell_push(world: World | None, scale: float, weight: Float, fresh: bool, out: Float) -> None:
+    """Adds what tools that are bodies did to the others in the step to what balls did; nothing without them.
 
     Args:
         world: that the tools are in.
         scale: share of forces that a copy has.
+        weight: of a link, flat; what it is 0 of, a tool, links do not know, nor who touches that.
+        fresh: whether balls did nothing, and `out` says nothing yet.
         out: result, flat, (rows * width,) [N].
     """
     if world is not None:
-        _copy_push(world.bodies, scale, out)
+        _add_pushes(world.bodies, scale, weight, fresh, out)
 
 
 def push_of(model: "Model", scale: float) -> Float | None:

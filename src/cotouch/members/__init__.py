@@ -2,7 +2,7 @@
 
 from cotouch.members._admission import Admission, addresses_of
 from cotouch.members._coordinator import ABSENT_AFTER, Coordinator, Planner
-from cotouch.members._device_table import coupling_of_slot
+from cotouch.members._device_table import coupling_of_slot, device_tools
 from cotouch.members._emulate import path_laws
 from cotouch.members._felt import Felt, felt
 from cotouch.members._file import MOST_USERS, SessionFile
@@ -60,6 +60,7 @@ __all__ = [
     "addresses_of",
     "coupling_of_slot",
     "delays_of",
+    "device_tools",
     "felt",
     "genuine",
     "grips_of",

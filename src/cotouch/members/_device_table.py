@@ -7,7 +7,7 @@ from pydantic import Field, model_validator
 
 from cotouch.errors import DeviceError
 from cotouch.haptics import LEAST_SCALE, MOST_SCALE, CouplingChoice
-from cotouch.scenario import NonNegative, Positive, Scenario, Table
+from cotouch.scenario import NonNegative, Positive, RigidToolTable, Scenario, Table, ToolTable
 
 Numbered = Annotated[int, Field(ge=1)]
 
@@ -67,6 +67,19 @@ class DeviceTable(Table):
         )
 
 
+def device_tools(scenario: Scenario, slot: int) -> list[ToolTable | RigidToolTable]:
+    """The tools that devices of a user may move, in the order of the file: beside rigid tools no blades.
+
+    Args:
+        scenario: of the session.
+        slot: of the user, from 0.
+    """
+    own = [tool for tool in scenario.tools if tool.user == slot + 1]
+    if any(isinstance(tool, RigidToolTable) for tool in own):
+        own = [tool for tool in own if isinstance(tool, RigidToolTable) or tool.kind != "blade"]
+    return own
+
+
 def coupling_of_slot(scenario: Scenario, devices: Sequence[DeviceTable], slot: int, tool: int) -> CouplingChoice:
     """What the file says of the device that moves a tool.
 
@@ -84,8 +97,8 @@ def coupling_of_slot(scenario: Scenario, devices: Sequence[DeviceTable], slot: i
     found = CouplingChoice()
     for table in fitting:
         found = found.over(table.said())
-    own = [table.device for table in (*scenario.proxies, *scenario.rigid_tools) if table.user == slot + 1]
-    simulated = own[tool] if tool < len(own) else None
+    own = device_tools(scenario, slot)
+    simulated = own[tool].device if tool < len(own) else None
     if simulated is None or simulated.coupling == "host_force":
         return found
     given = simulated.model_fields_set & {"coupling", "stiffness", "damping"}

@@ -217,7 +217,14 @@ class ScriptedHand:
             still = np.zeros((users, body.nodes, body.dimension))
             lengths = np.tile([at.period, at.longest], (users, 1))
             self._touching, _ = touching_of(
-                scenario.proxies, users, body, model, lengths, start=still, contact=scenario.contact
+                scenario.proxies,
+                users,
+                body,
+                model,
+                lengths,
+                start=still,
+                contact=scenario.contact,
+                numbers=scenario.proxy_numbers,
             )
             assert self._touching is not None
             self.surface, self.contact = self._touching.surface, self._touching.contact

@@ -3,6 +3,7 @@
 import hashlib
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, cast, final
 
 import numpy as np
@@ -16,7 +17,7 @@ from cotouch.members._file import SessionFile
 from cotouch.members._live_law import LiveLaw
 from cotouch.peer import ContentForm
 from cotouch.samples import Layout
-from cotouch.scenario import Scenario, colours_of
+from cotouch.scenario import DrawnTexture, Scenario, colours_of
 
 _PROBES = 6
 _LAW_PROBES = 4
@@ -110,6 +111,12 @@ class SharedModel:
     def colours(self) -> tuple[str | None, ...]:
         """Of each of several bodies, as "#rrggbb"; None: one of its own."""
         return colours_of(self.scenario.bodies)
+
+    @cached_property
+    def texture(self) -> DrawnTexture | None:
+        """On the skin of what is shared; None: it is smooth."""
+        given = self.scenario.contact.texture
+        return None if given is None else given.drawn()
 
     def model(self, copies: int) -> Model:
         """The body's model as one of so many copies."""

@@ -17,6 +17,7 @@ from cotouch.body import Body
 from cotouch.mechanics import Shape
 from cotouch.members import Pair, Roster, SessionEvent, Status
 from cotouch.observers._commands import Command, Doable, HandMode
+from cotouch.scenario import DrawnTexture
 
 
 @final
@@ -34,6 +35,7 @@ class Scene:
         stiffness: of a hand, unless a pointer says another [N/m].
         shapes: of what stands still around the object.
         colours: of each of several bodies, as "#rrggbb"; None: one of its own.
+        texture: on the skin of what is shared; None: it is smooth.
     """
 
     title: str
@@ -45,6 +47,7 @@ class Scene:
     stiffness: float = 100.0
     shapes: tuple[Shape, ...] = ()
     colours: tuple[str | None, ...] = ()
+    texture: DrawnTexture | None = None
 
 
 @final

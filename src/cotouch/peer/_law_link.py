@@ -62,7 +62,8 @@ class CopyMemory:
             if contact is not None:
                 self.touch[:] = contact.work.push.ravel()
             if push is not None:
-                self.touch[:] = push.ravel()
+                known = 0.0 if contact is None else np.where(weight == 0.0, 0.0, self.touch)
+                self.touch[:] = known + push.ravel()
 
     def help(self, energy: float) -> None:
         """Adds to what they hold.

@@ -28,13 +28,14 @@ from cotouch.mechanics import (
     Surface,
     Tools,
     approach,
+    are_apart,
     closed_settle,
     closed_step,
     closing_of,
     contact_parts,
     contact_step,
     mixed_stretch,
-    move_blades,
+    move_apart,
     push_of,
     settle,
     step,
@@ -140,7 +141,7 @@ class Peer:
         self.tools = tools
         self._surface = surface
         self._soft = None if surface is None else surface.soft
-        self._contact = None if model.body.tools else contact  # beside tools that are bodies, others are blades
+        self._contact = contact
         self._touch_ledger = np.zeros(TOUCH_LEDGER)
         self._rescaled = 0.0
         self.cuts = None if model.cut < 0 else CutSet(model, self.state, tools, index + 1, decides=cuts)
@@ -298,16 +299,17 @@ class Peer:
         op, force, state, ports, work = scale.operator, self.model.force, self.state, self.ports, self._work
         surface, tools, touched = self._surface, self.tools, self._touch_ledger
         contact = self._contact
+        apart = tools is not None and bool(self.model.body.tools) and are_apart(force, tools)
         damping, rest = (self._local, self._extra), (joined.work, *self._solver, lanes)
         if self.cuts is not None:
             self.cuts.begin(contact)
-        if tools is not None and surface is not None and contact is not None:
+        if tools is not None and surface is not None and contact is not None and not apart:
             what = surface, tools, *damping, T, own, work
             contact_step(contact, op, force, state, links, ports, *what, ledger, touched, *rest)
         elif force is not None:
             closed_step(op, force, state, links, ports, *damping, T, own, work, ledger, *rest)
             if tools is not None:
-                move_blades(tools, T, touched)
+                move_apart(contact, tools, T, touched, lanes)
         else:
             step(op, state, links, ports, *damping, T, own, work, ledger, *rest)
         # Other copies of the process write there, too.
@@ -316,7 +318,7 @@ class Peer:
             law.after(work.mean)
         if joined.laws:
             push = push_of(self.model, op.copy_scale * op.firmness)
-            joined.laws[0].memory.feel(ports, joined.laws[0].weight, contact, push)
+            joined.laws[0].memory.feel(ports, joined.laws[0].weight, None if apart else contact, push)
         if self.cuts is not None:
             self.cuts.end(op, self.steps, ledger)
         self.steps += 1

@@ -3,6 +3,7 @@
 from cotouch.scenario._bodies_table import colours_of
 from cotouch.scenario._body_tables import FileTable
 from cotouch.scenario._channel import Channel
+from cotouch.scenario._drawn_texture import DrawnTexture
 from cotouch.scenario._hands import Hands, grip, ports_of
 from cotouch.scenario._law_choice import makes_tree, options_of_springs, with_law_of_session
 from cotouch.scenario._leading import (
@@ -16,6 +17,7 @@ from cotouch.scenario._leading import (
 from cotouch.scenario._messages import sentence
 from cotouch.scenario._penetration import resolve_penetration
 from cotouch.scenario._per_user import per_user
+from cotouch.scenario._rigid_tool_table import RigidToolTable
 from cotouch.scenario._rigid_tools import RigidTool, rows_of, with_tools
 from cotouch.scenario._scenario import Scenario
 from cotouch.scenario._surface_tables import TextureTable
@@ -47,6 +49,7 @@ from cotouch.scenario._world_table import WorldTable
 __all__ = [
     "DEFAULT_RATE",
     "Channel",
+    "DrawnTexture",
     "FileTable",
     "HandTable",
     "Hands",
@@ -56,6 +59,7 @@ __all__ = [
     "Positive",
     "Probability",
     "RigidTool",
+    "RigidToolTable",
     "Scenario",
     "SimulatedDeviceTable",
     "Table",

@@ -3,13 +3,15 @@
 import numpy as np
 
 from cotouch.arrays import Float
-from cotouch.body import Body
+from cotouch.body import Body, drawn_tools
 
 # Share of a sphere's radius that rounding in a scenario may cost.
 _SLACK = 1e-6
 
 
-def resolve_penetration(body: Body, displacement: Float, centre: Float, radius: float) -> tuple[float, Float] | None:
+def resolve_penetration(
+    body: Body, displacement: Float, centre: Float, radius: float, user: int
+) -> tuple[float, Float] | None:
     """Where a sphere would just touch a body from outside, if it reaches into its skin.
 
     Args:
@@ -17,13 +19,17 @@ def resolve_penetration(body: Body, displacement: Float, centre: Float, radius: 
         displacement: of its nodes, (n, 3) [m].
         centre: of the sphere, (3,) [m].
         radius: [m].
+        user: in whose copy, from 0; tools of others are not in it.
 
     Returns:
         How far the sphere reaches into the body [m] and the nearest place where it does not, (3,); None if it is clear.
     """
     skin = body.skin
     assert skin is not None
-    corners = (skin.vertices + skin.carried(displacement))[skin.triangles]
+    there = np.ones(skin.vertices.shape[0], dtype=np.bool_)
+    for first, last, owner in drawn_tools(body):
+        there[first:last] = owner == user
+    corners = (skin.vertices + skin.carried(displacement))[skin.triangles[there[skin.triangles[:, 0]]]]
     near = _nearest(corners, centre)
     best = int(np.argmin(np.linalg.norm(near - centre, axis=1)))
     nearest = near[best]

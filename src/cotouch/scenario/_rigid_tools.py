@@ -86,21 +86,16 @@ def placed_tools(tables: Sequence[RigidToolTable], numbers: Sequence[int], users
     return result
 
 
-def refuse_unfit(body: Body, name: str, *, balls: bool) -> None:
+def refuse_unfit(body: Body, name: str) -> None:
     """Refuses rigid tools where they cannot be.
 
     Args:
         body: with them.
         name: of the first of them.
-        balls: whether there are tools that touch or hold as balls do.
 
     Raises:
         ScenarioError: it is so.
     """
-    if balls:
-        raise ScenarioError(
-            f"{name} is a rigid body, but others of [[tools]] are balls or grasps; use only one kind, beside blades"
-        )
     rigid = sum(part.body.rigid for part in body.parts)
     if rigid > _MOST_RIGID:
         raise ScenarioError(f"{name} is one of {rigid} rigid bodies; with rigid tools there are at most {_MOST_RIGID}")

@@ -106,7 +106,7 @@ class Scenario(Table):
     def _one_or_several(self) -> Self:
         if self.bodies and "body" in self.model_fields_set and self.body != PointTable():
             raise ValueError("body and bodies are given; give [body] for one object, or [[bodies]] for several")
-        self.contact.refuse(self.proxies)
+        self.contact.refuse(self.tools)
         return self
 
     @field_validator("network", mode="before")
@@ -208,6 +208,11 @@ class Scenario(Table):
         return [tool for tool in self.tools if isinstance(tool, ToolTable)]
 
     @property
+    def proxy_numbers(self) -> list[int]:
+        """Which of its tools these are, from 1."""
+        return [number for number, tool in enumerate(self.tools, start=1) if isinstance(tool, ToolTable)]
+
+    @property
     def rigid_tools(self) -> list[RigidToolTable]:
         """Its tools that are rigid bodies."""
         return [tool for tool in self.tools if isinstance(tool, RigidToolTable)]
@@ -256,7 +261,7 @@ class Scenario(Table):
         numbers = [number for number, tool in enumerate(self.tools, start=1) if isinstance(tool, RigidToolTable)]
         body = together([*placed, *placed_tools(tools, numbers, self.network.size)])
         if tools:
-            refuse_unfit(body, body.tools[0].name, balls=any(tool.kind != "blade" for tool in self.proxies))
+            refuse_unfit(body, body.tools[0].name)
         return body
 
     def _places(self, body: Body) -> list[list[float]]:
@@ -277,7 +282,7 @@ class Scenario(Table):
         for user in users:
             if user > self.network.size:
                 raise ScenarioError(f"cutting.users names user {user}; the network has users 1 to {self.network.size}")
-        for number, tool in enumerate(self.proxies, start=1):
+        for number, tool in zip(self.proxy_numbers, self.proxies, strict=True):
             if tool.kind == "blade" and not self.cutting.may(tool.user):
                 raise ScenarioError(
                     f'tools[{number}].kind is "blade", but cutting.users is {users}; name user {tool.user} there, or '

@@ -12,6 +12,7 @@ from cotouch.arrays import Float
 from cotouch.errors import BodyError, ScenarioError
 from cotouch.files import read_bytes
 from cotouch.mechanics import Relief, Surface, relief_on
+from cotouch.scenario._drawn_texture import WAVE, DrawnTexture, coarser, sides
 from cotouch.scenario._tables import NonNegative, Positive, Table
 
 # A range in radii of a tool: a shorter one drowns in rounding, and beyond a longer one a flat does not draw as is said.
@@ -139,6 +140,7 @@ class TextureTable(Table):
                 self.profile(),
                 spacing=min(self._finest(), radius / _OF_RADIUS),
                 most=_MOST_POINTS,
+                smooth=surface.tools(),
             )
         except BodyError as error:
             raise ScenarioError(
@@ -153,6 +155,31 @@ class TextureTable(Table):
         """
         heights = self._map()
         return lambda at, normal: self._height(heights, at, normal)
+
+    def drawn(self) -> DrawnTexture | None:
+        """One tile of it, for a page; None: it is flat.
+
+        Raises:
+            ScenarioError: the picture cannot be read.
+        """
+        if not self.top() > 0.0:
+            return None
+        heights = self._map()
+        if heights is None:
+            across = along = self.wavelength or 1.0
+            rows, columns = (1 if self.pattern == "ridges" else WAVE), WAVE
+        else:
+            heights, (across, along) = coarser(heights), self.size or (1.0, 1.0)
+            rows, columns = sides(heights)
+        u, v = (np.arange(columns) + 0.5) / columns * across, (np.arange(rows) + 0.5) / rows * along
+        every = self._laid(heights, *(grid.ravel() for grid in np.meshgrid(u, v)))
+        return DrawnTexture(
+            heights=every.reshape(rows, columns),
+            size=(across, along),
+            top=self.top(),
+            angle=self.angle,
+            projection=self.projection,
+        )
 
     def _map(self) -> Float | None:
         """Heights of the map, rows along its second side [m]; None: it is a pattern."""
@@ -181,6 +208,10 @@ class TextureTable(Table):
         first, second = (at[:, a] for a in _AXES[axis])
         u = np.cos(self.angle) * first + np.sin(self.angle) * second
         v = np.cos(self.angle) * second - np.sin(self.angle) * first
+        return self._laid(heights, u, v)
+
+    def _laid(self, heights: Float | None, u: Float, v: Float) -> Float:
+        """Along the sides of the map."""
         if heights is None:
             wave, half = 2.0 * np.pi / (self.wavelength or 1.0), 0.5 * self.top()
             ridges = half * (1.0 + np.sin(wave * u))

@@ -1,6 +1,6 @@
 """The tables of a scenario for tools: proxies, the devices that move them, and the hands on those."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Annotated, Any, Literal, Self, cast, final, get_args
 
@@ -193,7 +193,7 @@ class ContactTable(Table):
                 raise ScenarioError(f'contact.parameters.{name} is {value:g}; law "{self.law}" {has}')
         return kinds[self.law](**self.parameters)
 
-    def refuse(self, tools: "list[ToolTable]") -> None:
+    def refuse(self, tools: Sequence[Table]) -> None:
         """Refuses tools that its snap or texture does not suit.
 
         Args:
@@ -204,7 +204,7 @@ class ContactTable(Table):
         """
         for number, table in enumerate(tools, start=1):
             for effect in (self.snap, self.texture):
-                if effect is not None and table.kind == "touch":
+                if effect is not None and isinstance(table, ToolTable) and table.kind == "touch":
                     effect.refuse(table.radius, f"tools[{number}]")
 
 

@@ -1,5 +1,6 @@
 """From the tables of tools to the arrays that the engines work on."""
 
+from collections.abc import Sequence
 from math import inf
 
 import numpy as np
@@ -56,6 +57,7 @@ def touching_of(
     *,
     start: Float,
     contact: ContactTable | None = None,
+    numbers: Sequence[int] | None = None,
 ) -> tuple[Touching | None, list[int]]:
     """The tools of a scenario, ordered by user, and which tool each table became; None without tools.
 
@@ -67,6 +69,7 @@ def touching_of(
         lengths: of the body's steps, which a virtual coupling must be passive at, (users, steps); 0: none [s].
         start: displacements of all copies at the start, (users, n, d) [m].
         contact: how they touch; None: as by default.
+        numbers: which of [[tools]] each is, from 1; None: there are no others.
 
     Raises:
         ScenarioError: a tool names a user that is not there or starts inside the body, or a device or hand is wrong.
@@ -78,7 +81,8 @@ def touching_of(
         raise BodyError(f"tools touch bodies of 3 axes, but this one has {body.dimension}{_remedy(body.dimension)}")
     contact = contact or ContactTable()
     law = contact.made()
-    for number, table in enumerate(tables, start=1):
+    numbers = range(1, len(tables) + 1) if numbers is None else numbers
+    for number, table in zip(numbers, tables, strict=True):
         if table.kind == "touch" and (body.skin is None or not body.skin.triangles.size):
             raise ScenarioError(
                 f'tools[{number}].kind is "touch", which needs a skin, but the body has none (a point, a chain); take '
@@ -88,7 +92,8 @@ def touching_of(
             raise ScenarioError(f"tools[{number}].user is {table.user}; the network has users 1 to {users}")
         raised = 0.0 if contact.texture is None else contact.texture.top()
         if table.kind == "touch" and table.begin == 0.0:
-            reached = resolve_penetration(body, start[table.user - 1], np.array(table.at), table.radius + raised)
+            user, reach = table.user - 1, table.radius + raised
+            reached = resolve_penetration(body, start[user], np.array(table.at), reach, user)
             if reached is not None:
                 depth, place = reached
                 raise ScenarioError(
@@ -122,7 +127,7 @@ def touching_of(
             own.grip_stiffness[t], own.grip_damping[t] = table.stiffness, table.damping
         if table.device is None:
             continue
-        where = f"tools[{order[t] + 1}]"
+        where = f"tools[{numbers[order[t]]}]"
         try:
             device = device_model(table.device, table.hand, lengths[table.user - 1])
         except DeviceError as error:

@@ -113,6 +113,7 @@ class DemoSessionApi(SteeredMembers):
             stiffness=usual_stiffness(replica.scenario, 0),
             shapes=replica.shapes,
             colours=replica.colours,
+            texture=replica.texture,
         )
         self._rouses, self._roused = rouse, set[str]()  # hands that wander by themselves
         self._stirred = self._acted = -math.inf  # when something moved, and when somebody acted last [s]

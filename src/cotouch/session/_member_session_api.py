@@ -61,6 +61,7 @@ class MemberSessionApi(SteeredMembers):
         self.watch = watch
         self._name, self._invitation = name, invitation.encode()
         self._scenario, self._shapes, self._colours = replica.scenario, replica.shapes, replica.colours
+        self._texture = replica.texture
         self.over = False
         self._left: tuple[int, str] | None = None
         self.member = MemberProcess(
@@ -120,6 +121,7 @@ class MemberSessionApi(SteeredMembers):
             stiffness=usual_stiffness(self._scenario, slot or 0),
             shapes=self._shapes,
             colours=self._colours,
+            texture=self._texture,
         )
 
     def overview(self) -> Overview:

@@ -90,8 +90,6 @@ def checked(pointer: Pointer, body: Body, slot: int, *, cuts: bool) -> Pointer:
         raise SessionError(f'the pointer\'s mode is "{pointer.mode}"; it must be grab, ball, blade, pose or free')
     if pointer.mode == "pose":
         _check_tool(pointer.node, body, slot)
-    if pointer.mode == "ball" and body.tools:
-        raise SessionError("a session with rigid tools has no ball; grab the body, or move a tool with pose")
     if pointer.mode == "blade":
         _check_cuttable(body, cuts)
     if pointer.mode == "grab" and not 0 <= pointer.node < body.holds:

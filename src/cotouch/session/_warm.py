@@ -18,6 +18,7 @@ from cotouch.peer import FreshestLink, Link, LinkGuard, Peer, Sample
 from cotouch.processes import start_child
 
 _T = 1e-3
+_HELD = 1e-30  # [J]
 
 
 def compiles(session: SessionFile, *, touched: bool = False) -> bool:
@@ -28,8 +29,10 @@ def compiles(session: SessionFile, *, touched: bool = False) -> bool:
         touched: whether its object may be touched besides what the file says.
     """
     scenario = session.scenario
-    if scenario.proxies or touched:
-        return cold(contact_step)
+    if (scenario.proxies or touched) and cold(contact_step):
+        return True
+    if (scenario.proxies or touched) and not scenario.rigid_tools:
+        return False
     return cold(step if scenario.build_body().material is None else closed_step)
 
 
@@ -43,6 +46,8 @@ def warm_up(replica: SharedModel, make: Callable[[Model], Hand]) -> None:
     hand, peer = _copy(replica, make)
     for k in (1, 2):
         hand.before(k * _T, _T)
+        if k == 2 and hand.tools is not None:  # what a tool still holds is let go by a step with contact
+            hand.tools.stored[:1] += _HELD
         peer.step(k * _T, _T)
         hand.after()
         peer.rescale(1 + k)

@@ -18,6 +18,7 @@ from cotouch.body import Skin
 from cotouch.errors import BodyError, InputError, NetworkError
 from cotouch.files import prepare, write
 from cotouch.mechanics import Shape, Solid, shape_table
+from cotouch.scenario import DrawnTexture
 from cotouch.simulation._animation_checks import (
     Float,
     corners_of,
@@ -158,6 +159,7 @@ class Animation:
         shapes: what stands still around the object.
         parts: several bodies, in the order of their vertices; see `cotouch.body.drawn_parts`.
         spans: when each triangle of each copy is there, from and until, (U, t, 2) [s]; by default always.
+        texture: on the skin of what is shared; by default it is smooth.
 
     Raises:
         BodyError: vertices, triangles, edges or the skin do not fit together.
@@ -191,6 +193,7 @@ class Animation:
     shapes: tuple[Shape, ...]
     parts: tuple[dict[str, Any], ...]
     spans: Single
+    texture: DrawnTexture | None
 
     def __init__(
         self,
@@ -211,6 +214,7 @@ class Animation:
         shapes: Sequence[Shape] = (),
         parts: Sequence[dict[str, Any]] = (),
         spans: npt.ArrayLike | None = None,
+        texture: DrawnTexture | None = None,
     ) -> None:
         names = tuple(users)
         if not names:
@@ -277,7 +281,7 @@ class Animation:
         for shape in shapes:
             if not isinstance(shape, Solid):
                 shape.packed((0.0, 0.0, 0.0))  # says what is wrong with it
-        keep_frozen(self, shapes=tuple(shapes), parts=tuple(parts), spans=known)
+        keep_frozen(self, shapes=tuple(shapes), parts=tuple(parts), spans=known, texture=texture)
 
     def write(self, path: str | Path) -> Path:
         """Writes the page: one file that needs nothing else, whole or not at all.
@@ -335,6 +339,7 @@ class Animation:
             "peaks": {"displacement": displacement, "difference": difference},
             "parts": self.parts,
             "obstacles": [shape_table(shape) for shape in self.shapes],
+            "texture": None if self.texture is None else self.texture.table(),
         }
         viewer = files("cotouch.simulation").joinpath("_viewer")
         read = {name: viewer.joinpath(name).read_text(encoding="utf-8") for name in ("index.html", "style.css")}

@@ -10,7 +10,7 @@ import numpy as np
 from cotouch.arrays import Float, Int, Long
 from cotouch.errors import ScenarioError
 from cotouch.interrupt import check, flag
-from cotouch.mechanics import LEDGER_COLUMNS, Links, State, cutting_of, idle_ports, own_ports, unsettled
+from cotouch.mechanics import BLADE, LEDGER_COLUMNS, Links, State, cutting_of, idle_ports, own_ports, unsettled
 from cotouch.passing import Each
 from cotouch.scenario import ToolRecord, Touching, tool_record, tools_of
 from cotouch.simulation._ends import Ends
@@ -133,6 +133,8 @@ def run_batch(prepared: Prepared) -> Outcome:
     may = () if asked is None else [asked.may(user + 1) for user in range(users)]
     cutting = cutting_of(ready, tools=0 if touching is None else touching.kind.size, decides=may)
     more += 0 if cutting is None else len(CUT_BOOKS)
+    # A copy with tools that are bodies knows of contact by a law only where some tool may touch or hold.
+    only_blades = bool(ready.body.tools) and touching is not None and bool(np.all(touching.kind == BLADE))
     leading = deepcopy(prepared.leading)
     tools = None if touching is None else tool_record(touching.kind.size, records)
     led = None if leading is None else tool_record(leading.touching.kind.size, records)
@@ -194,7 +196,7 @@ def run_batch(prepared: Prepared) -> Outcome:
         record,
         scratch,
         touching,
-        None if touching is None or ready.body.tools else touching.contact,
+        None if touching is None or only_blades else touching.contact,
         cutting,
         leading,
         tools,

@@ -136,11 +136,12 @@ def tell(
         put(ends.used, s, at(timing.used, (s, k)))
     put(ends.steps, i, at(ends.steps, i) + 1)
     if ends.feels and at(topology.first, i) < at(topology.first, i + 1):
-        feel(ends.hand[i], ports, ends.weight[at(topology.first, i)])
+        weight = ends.weight[at(topology.first, i)]
+        feel(ends.hand[i], ports, weight)
         if contact is not None:
             copy_rows(ends.touch[i], contact.work.push)
         if force is not None:
-            tell_push(force.world, scale, ends.touch[i])
+            tell_push(force.world, scale, weight, contact is None, ends.touch[i])
 
 
 @inner

@@ -31,6 +31,7 @@ from cotouch.mechanics import (
     Contact,
     Cutting,
     Operator,
+    are_apart,
     at,
     begin_cut,
     closed_settle,
@@ -39,7 +40,7 @@ from cotouch.mechanics import (
     decide_cuts,
     expose,
     kernel,
-    move_blades,
+    move_apart,
     put,
     settle,
     step,
@@ -114,7 +115,7 @@ def run(
         record: written to.
         scratch: of one step; changed in place.
         touching: tools of all users; changed in place.
-        contact: the law by which tools touch; None: these are blades, beside tools that are bodies.
+        contact: the law by which tools touch; None: they never do, beside tools that are bodies.
         cutting: of a body that can be cut; None: it cannot.
         leading: devices of rigid tools of all users; changed in place.
         tool_record: written to.
@@ -194,7 +195,7 @@ def run(
                 begin_cut(cutting, force.world, state, tools)
                 if contact is not None:
                     expose(cutting, state.memory, contact.work.fit.hidden)
-            if contact is not None:
+            if contact is not None and not are_apart(force, tools):
                 contact_step(
                     contact,
                     op,
@@ -216,7 +217,7 @@ def run(
                     cap,
                     lanes,
                 )
-            elif force is not None:  # blades beside tools that are bodies
+            elif force is not None:  # beside tools that are bodies
                 closed_step(
                     op,
                     force,
@@ -234,7 +235,7 @@ def run(
                     cap,
                     lanes,
                 )
-                move_blades(tools, T, touching.ledger)
+                move_apart(contact, tools, T, touching.ledger, lanes)
             if cutting is not None:
                 decide_cuts(cutting, state.memory, state.position, tools, i + 1, True)
             after_step(touching, i)

@@ -135,6 +135,7 @@ def prepare(scenario: Scenario) -> Prepared:
         timing.length,
         start=position,
         contact=scenario.contact,
+        numbers=scenario.proxy_numbers,
     )
     extra = np.zeros((network.size, 1 + len(network.weights)))
     extra[:, 0] = per_user(scenario.synchronisation.extra_damping, network.size, "synchronisation.extra_damping")
@@ -274,7 +275,7 @@ def _recorded(scenario: Scenario, body: Body) -> Int:
             return np.arange(body.shared, dtype=np.int32)
         held = {hand.node for hand in scenario.hands}
         for tool in scenario.proxies:
-            held.add(1 + int(np.argmin(np.linalg.norm(body.rest - np.array(tool.at), axis=1))))
+            held.add(1 + int(np.argmin(np.linalg.norm(body.rest[: body.shared] - np.array(tool.at), axis=1))))
         held |= set(range(1, body.shared + 1)) if body.rigid else set() if held else {1}
         return np.array(sorted(held), dtype=np.int32) - 1
     for number in asked:

@@ -75,6 +75,7 @@ _UNITS = {
     "local_damping": ("N s/m", "damping B_i of the synchronisation, as multiples of each link weight"),
     "frame_position": ("m", "position x of every node at the time of a frame"),
     **TOOL_UNITS,
+    **{f"rigid_{name}": unit for name, unit in TOOL_UNITS.items()},
     **RIGID_TOOL_UNITS,
 }
 

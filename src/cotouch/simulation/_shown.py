@@ -10,7 +10,7 @@ from cotouch.arrays import Float, Long
 from cotouch.body import Body, CutSkin, cut_skin, drawn_parts, drawn_tools
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Shape
-from cotouch.scenario import WorldTable
+from cotouch.scenario import DrawnTexture, TextureTable, WorldTable
 from cotouch.simulation._animation import Animation, PortTracks, ToolTracks, UserSeries
 from cotouch.simulation._metrics import felt
 
@@ -88,6 +88,7 @@ def animation(run: "xr.Dataset", body: Body) -> Animation:
         links=[(a - 1, b - 1) for a, b in tables["network"]["links"]],
         series=[UserSeries(name="Discrepancy", unit="m", values=apart.max(axis=2))],
         shapes=_shapes(tables.get("world", {})),
+        texture=_texture(tables.get("contact", {})),
         **shape,
     )
 
@@ -118,6 +119,12 @@ def _in_their_copies(body: Body, spans: Float, faces: CutSkin | None = None) -> 
 
 def _shapes(world: dict[str, Any]) -> list[Shape]:
     return [obstacle.shape for obstacle in WorldTable.model_validate(world).obstacles()]
+
+
+def _texture(contact: dict[str, Any]) -> DrawnTexture | None:
+    """What lies on the skin; a picture is read again."""
+    given = contact.get("texture")
+    return None if given is None else TextureTable.model_validate(given).drawn()
 
 
 def _colours(bodies: list[dict[str, Any]]) -> list[str | None]:

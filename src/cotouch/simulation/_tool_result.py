@@ -70,7 +70,7 @@ def tool_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tupl
 
 
 def leading_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tuple[str, ...], Float]]:
-    """Variables of the devices that lead rigid tools, in the order of these; likewise.
+    """Variables of the devices that lead rigid tools, in the order of these, each named `rigid_` and as of tools.
 
     Args:
         prepared: what was run.
@@ -79,7 +79,8 @@ def leading_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[t
     record, leading = outcome.led, prepared.leading
     if record is None or leading is None:
         return {}
-    return _device_variables(leading.touching, record, np.array(prepared.led), "rigid_tool")
+    found = _device_variables(leading.touching, record, np.array(prepared.led), "rigid_tool")
+    return {f"rigid_{name}": values for name, values in found.items()}
 
 
 def _device_variables(
@@ -127,10 +128,13 @@ def _device_variables(
 
 
 def tool_attributes(data: dict[str, Any]) -> dict[str, float]:
-    """What a run says about couplings and devices in one number each."""
-    if "coupling_excess" not in data:
-        return {}
-    values = {name: data[name][1] for name in UNITS if name in data}
+    """What a run says about couplings and devices in one number each: the greatest of tools and rigid tools."""
+    each = [_attributes(data, prefix) for prefix in ("", "rigid_") if f"{prefix}coupling_excess" in data]
+    return {name: max(one[name] for one in each) for name in (each[0] if each else ())}
+
+
+def _attributes(data: dict[str, Any], prefix: str) -> dict[str, float]:
+    values = {name: data[prefix + name][1] for name in UNITS if prefix + name in data}
     flows = [values[name] for name in ("device_work", "human_work", "device_loss", "device_energy")]
     in_play = max(float(np.nanmax(np.abs(flow))) for flow in flows)
     residual = float(np.nanmax(np.abs(values["device_residual"])))

@@ -60,6 +60,7 @@ def scene_message(scene: Scene, *, version: str, started: str, acts: bool, page:
         "cutting": _cutting(body, faces),
         "edges": None if skin is not None else _packed(_edges(body), "<u4"),
         "parts": drawn_parts(body, scene.colours, faces),
+        "texture": None if scene.texture is None else scene.texture.table(),
         "obstacles": [shape_table(shape) for shape in scene.shapes],
         "radius": float(np.linalg.norm(drawn - centre, axis=1).max(initial=0.0)),
         "centre": centre.tolist(),
