@@ -220,7 +220,7 @@ class TelemetryPublisher:
             self._count, self._moved = 0, False
             self._show(copy, report, now, T)
 
-    def event(self, kind: str, time: float, **fields: Any) -> None:
+    def event(self, kind: str, time: float, **fields: object) -> None:
         """Something happened.
 
         Args:

@@ -143,7 +143,7 @@ class Recorder:
         tool_mass: Sequence[float] | Float = (),
         link_damping: Sequence[float] | None = None,
         rounding: float = 0.0,
-        **fields: Any,
+        **fields: object,
     ) -> None:
         """Says what the ledger of the next steps follow from; before the first step, and whenever one of it changes.
 
@@ -216,7 +216,7 @@ class Recorder:
         if current.full or end - current.first_end >= self._interval:
             self._cut()
 
-    def event(self, kind: str, time: float, **fields: Any) -> None:
+    def event(self, kind: str, time: float, **fields: object) -> None:
         """Notes that something happened.
 
         Args:
