@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, final
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.arrays import Float, Int, Long
+from cotouch.arrays import Array, Float, Int, Long
 from cotouch.recording._buffer import Buffer, Extents, Extra
 from cotouch.recording._disk import NewFile
 from cotouch.recording._file import RecordingFile
@@ -354,5 +354,5 @@ class _Full(NamedTuple):
     home: SimpleQueue[Buffer]
 
 
-def _list(values: Sequence[float] | npt.NDArray[Any]) -> list[float]:
+def _list(values: Sequence[float] | Array) -> list[float]:
     return [float(value) for value in values]
