@@ -1,7 +1,5 @@
 """What tools, devices and couplings did in a run, as labelled variables."""
 
-from typing import Any
-
 import numpy as np
 import numpy.typing as npt
 
@@ -126,7 +124,7 @@ def _device_variables(
     return data
 
 
-def tool_attributes(data: dict[str, Any]) -> dict[str, float]:
+def tool_attributes(data: dict[str, tuple[tuple[str, ...], Float]]) -> dict[str, float]:
     """What a run says about couplings and devices in one number each."""
     if "coupling_excess" not in data:
         return {}
