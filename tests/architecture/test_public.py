@@ -5,7 +5,7 @@ import inspect
 import re
 from enum import Enum
 from types import FunctionType
-from typing import get_origin
+from typing import get_origin, is_typeddict
 
 import pytest
 from tests.architecture.modules import NAMES, loaded, parsed
@@ -89,8 +89,8 @@ class TestEveryClass:
 
 
 def is_record(cls: type) -> bool:
-    """A named tuple: what kernels take; numba needs the plain thing."""
-    return issubclass(cls, tuple) and hasattr(cls, "_fields")
+    """A named tuple, which kernels take and numba needs plain, or a dictionary whose keys are said."""
+    return is_typeddict(cls) or (issubclass(cls, tuple) and hasattr(cls, "_fields"))
 
 
 def is_made_up(function: FunctionType, cls: type) -> bool:

@@ -35,6 +35,20 @@ def test_unknown_types_are_let_pass_at_borders_only() -> None:
     assert len(reasons) <= 31, "numba's border takes two files; fewer each time, not more"
 
 
+def test_any_stands_at_borders_only() -> None:
+    """Where numba compiles for many types, `Any` is their name; else it is for libraries without types and JSON."""
+    compiled = {"mechanics", "laws", "hands", "peer", "compiled.py", "passing.py", "translation.py"}
+    word = re.compile(r"\bAny\b(?! \w)")
+    said = [
+        line
+        for path in sorted(PACKAGE.rglob("*.py"))
+        if path.relative_to(PACKAGE).parts[0] not in compiled
+        for line in path.read_text(encoding="utf-8").splitlines()
+        if word.search(line) and "import" not in line
+    ]
+    assert len(said) <= 113, "fewer each time, not more"
+
+
 def test_types_of_arrays_have_one_name_each() -> None:
     """A module may name what an array is for, such as a flag; what it is of is named in `cotouch.arrays`."""
     plain = re.compile(

@@ -5,10 +5,10 @@ import xarray as xr
 from rich.console import Console
 from rich.table import Table
 
-from cotouch.cli._simulate import _closure, closure_of
+from cotouch.cli._simulate import Closure, _closure, closure_of
 
 
-def shown(factor: float, alarms: int) -> tuple[dict[str, dict[str, object]], str]:
+def shown(factor: float, alarms: int) -> tuple[Closure | None, str]:
     steps = ("user", "step")
     run = xr.Dataset(
         {
@@ -27,7 +27,7 @@ def shown(factor: float, alarms: int) -> tuple[dict[str, dict[str, object]], str
 
 def test_a_large_closure_is_told() -> None:
     figures, text = shown(0.05, 7)
-    assert figures["closure"] == {"work_j": [2e-3, 4e-3], "largest_factor": 0.05, "alarms": 7}
+    assert figures == {"work_j": [2e-3, 4e-3], "largest_factor": 0.05, "alarms": 7}
     assert "by at most 5.0e-02; 7 steps by more than 1 %" in text
 
 
@@ -36,4 +36,4 @@ def test_a_small_one_is_said_without_a_word_more() -> None:
 
 
 def test_a_linear_body_has_none() -> None:
-    assert closure_of(xr.Dataset()) == {}
+    assert closure_of(xr.Dataset()) is None

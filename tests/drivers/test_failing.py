@@ -140,7 +140,9 @@ def test_stop_from_another_thread_while_the_loop_goes_on_pushing(pair: tuple[Dev
         last = push(device, 100)  # the loop knows nothing of it
         thread.join()
         assert not last.flags & Flag.FORCE_ON
-        assert not np.any(board.get("motor" if device.spec.name == HAPLY.spec.name else "force"))  # nor is any asked for
+        assert not np.any(
+            board.get("motor" if device.spec.name == HAPLY.spec.name else "force")
+        )  # nor is any asked for
         stalls.within(stopped[0], board.zero_after(stopped[0]))
         device.enable_force()
         wanted = pytest.approx(float(np.linalg.norm(PUSH)), rel=1e-5)

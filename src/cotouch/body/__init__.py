@@ -13,7 +13,7 @@ from cotouch.body._ground import Box, Held, NodeSet, Plane
 from cotouch.body._material import Frame, Material
 from cotouch.body._mesh_material import SolidModel, SurfaceModel
 from cotouch.body._origin import Origin
-from cotouch.body._part import Part, ToolBody, drawn_parts, drawn_tools, grip_shares, pulls_of
+from cotouch.body._part import DrawnPart, Part, ToolBody, drawn_parts, drawn_tools, grip_shares, pulls_of
 from cotouch.body._reading import Unit
 from cotouch.body._rigid import rigid_body, scaled
 from cotouch.body._shapes import rigid_box, rigid_cylinder, rigid_sphere, turning
@@ -35,6 +35,7 @@ __all__ = [
     "Body",
     "Box",
     "CutSkin",
+    "DrawnPart",
     "Frame",
     "GridModel",
     "Ground",

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
+from cotouch.arrays import Long
 from cotouch.body._body import Body
 from cotouch.body._checks import SumOfSquares
 from cotouch.body._ground import Held, free_motions, held_nodes, rounded_face
@@ -32,7 +33,7 @@ def put_together(
     ground_stiffness: float,
     ground_damping: float,
     slack: float,
-    sets: Mapping[str, Any],
+    sets: Mapping[str, Long],
     skin: Skin,
     origin: dict[str, Any],
     notes: list[str],

@@ -2,13 +2,13 @@
 
 from collections.abc import Sequence
 from math import prod
-from typing import Any, Final, Literal, TypeAlias, get_args
+from typing import Final, Literal, TypeAlias, get_args
 
 import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Long
+from cotouch.arrays import Index, Long
 from cotouch.body._body import Body
 from cotouch.body._checks import one_number
 from cotouch.body._elasticity import cubes_of, springs_of_cells
@@ -243,8 +243,8 @@ def _box_skin(places: Long, extents: tuple[int, ...], spacing: float) -> Skin:
 def _laplacian(places: Long, extents: tuple[int, ...], reach: int) -> sp.csr_array:
     """Unit-weight Laplacian of the grid; neighbours differ by at most 1 on each axis and on at most `reach` axes."""
     count = places.shape[0]
-    starts: list[npt.NDArray[Any]] = []
-    ends: list[npt.NDArray[Any]] = []
+    starts: list[Index] = []
+    ends: list[Index] = []
     for offset in np.ndindex(*(3,) * len(extents)):
         move = np.array(offset) - 1
         first = next((step for step in move if step), 0)

@@ -1,7 +1,7 @@
 """What a matrix of a body must be, checked once, with an error that says which entry or eigenvalue is wrong."""
 
 from dataclasses import dataclass
-from typing import Any, Literal, TypeAlias, cast, final
+from typing import TYPE_CHECKING, Literal, TypeAlias, cast, final
 
 import numpy as np
 import numpy.typing as npt
@@ -10,6 +10,9 @@ import scipy.sparse as sp
 
 from cotouch.arrays import Float
 from cotouch.errors import BodyError
+
+if TYPE_CHECKING:
+    from scipy.sparse.linalg import SuperLU
 
 Matrix: TypeAlias = npt.ArrayLike | sp.sparray | sp.spmatrix
 
@@ -186,7 +189,7 @@ def positive(name: str, matrix: sp.csr_array, *, strictly: bool) -> None:
     raise BodyError(f"the smallest eigenvalue of {name} is {smallest:.6g}; {name} must be {wanted}")
 
 
-def _factor(matrix: sp.csr_array, shift: float) -> Any:
+def _factor(matrix: sp.csr_array, shift: float) -> "SuperLU | None":
     """The LU factors of `matrix - shift I` where that is positive definite, else None.
 
     Without pivoting U is D Lᵀ, so by Sylvester's law all of its diagonal is positive just where the matrix is. Unlike

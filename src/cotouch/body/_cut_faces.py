@@ -1,7 +1,6 @@
 """A body that opens along the faces of its elements: nodes are doubled there beforehand, and tied by stiff springs."""
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import scipy.sparse as sp
@@ -72,9 +71,6 @@ def with_faces(body: Body) -> Body:
     if count == 4:
         tied = sp.csr_array(sp.kron(tied, sp.eye_array(3)))
     damping = eta * (stiff + tied) if damped is None or not eta else damped + eta * tied
-    made: dict[str, Any] = {
-        name: _shared_out(getattr(body, name), parent, part) for name in ("mass", "damping_ext", "stiffness_ext")
-    }
     return Body(
         rest=rest,
         stiffness_int=SumOfSquares(sp.csr_array(stiff + tied)),
@@ -84,7 +80,9 @@ def with_faces(body: Body) -> Body:
         else body.skin,
         origin=body.origin,
         material=replace(material, elements=own, faces=faces, sides=sides, ties=ties, part=part),
-        **made,
+        mass=_shared_out(body.mass, parent, part),
+        damping_ext=_shared_out(body.damping_ext, parent, part),
+        stiffness_ext=_shared_out(body.stiffness_ext, parent, part),
     )
 
 

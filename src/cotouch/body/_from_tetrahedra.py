@@ -2,10 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, Final, get_args
+from typing import Final, get_args
 
 import numpy as np
 
+from cotouch.arrays import Long
 from cotouch.body import _elasticity as elasticity
 from cotouch.body._assembly import MeshSource, name_of, put_together
 from cotouch.body._body import Body
@@ -158,7 +159,7 @@ def body_from_tetrahedra(
     place = np.full(mesh.points.shape[0], -1, dtype=np.int64)
     place[used] = np.arange(used.size)
     given = {**mesh.sets, **{key: np.asarray(members, dtype=np.int64) for key, members in (sets or {}).items()}}
-    named: dict[str, Any] = {key: place[members][place[members] >= 0] for key, members in given.items()}
+    named: dict[str, Long] = {key: place[members][place[members] >= 0] for key, members in given.items()}
     whole = {"young": young, "poisson": poisson, "rayleigh_stiffness": rayleigh_stiffness}
     own = of_parts(parts or {}, elements, named, whole, name)
     springs, material = of_tetrahedra(

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, final
+from typing import TYPE_CHECKING, NotRequired, TypedDict, final
 
 import numpy as np
 
@@ -171,9 +171,25 @@ def drawn_tools(body: "Body", faces: "CutSkin | None" = None) -> list[tuple[int,
     ]
 
 
-def drawn_parts(
-    body: "Body", colours: Sequence[str | None] = (), faces: "CutSkin | None" = None
-) -> list[dict[str, Any]]:
+class DrawnTool(TypedDict):
+    """Whose a tool that can be held is, which of this user's, from 0, and where it is held at rest [m]."""
+
+    slot: int
+    number: int
+    handle: list[float]
+
+
+class DrawnPart(TypedDict):
+    """A body among several: its name, how many vertices it is drawn with, and its colour as "#rrggbb"."""
+
+    name: str
+    vertices: int
+    colour: str | None
+    bare: NotRequired[bool]
+    tool: NotRequired[DrawnTool]
+
+
+def drawn_parts(body: "Body", colours: Sequence[str | None] = (), faces: "CutSkin | None" = None) -> list[DrawnPart]:
     """What a page tells several bodies apart by: `name`, `vertices` of its skin, and `colour`; of one body nothing.
 
     A tool is `bare`, without the texture that others may have. One that can be held has a `tool`, too: its `slot`,
@@ -188,7 +204,7 @@ def drawn_parts(
         return []
     given = [*colours, *[None] * len(body.parts)]
     each = [part.skin().vertices.shape[0] for part in body.parts] if faces is None else np.diff(faces.vertices)
-    found: list[dict[str, Any]] = []
+    found: list[DrawnPart] = []
     numbers: dict[int, int] = {}
     for part, count, colour in zip(body.parts, each, given, strict=False):
         found.append({"name": part.name, "vertices": int(count), "colour": colour})

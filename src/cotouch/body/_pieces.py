@@ -1,13 +1,12 @@
 """What of a mesh is used: the part that was chosen, without what is broken in it."""
 
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 import scipy.sparse as sp
 from scipy.sparse.csgraph import connected_components
 
-from cotouch.arrays import Float, Long
+from cotouch.arrays import Array, Float, Long
 from cotouch.body._cells import CORNERS, Cells, carriers, cells_of
 from cotouch.body._repair import Shells
 from cotouch.body._skin import Skin
@@ -59,7 +58,7 @@ def one_part(shells: Shells, resolution: int, part: int | None, name: str) -> tu
     return kept, cells_of(kept.vertices, kept.triangles, resolution), [_left(fractions.size, chosen, part)]
 
 
-def _by_size(fractions: npt.NDArray[Any]) -> Long:
+def _by_size(fractions: Array) -> Long:
     """Largest first; what differs by no more than round-off keeps its order, so that all machines number alike."""
     return np.argsort(-(fractions / fractions.max()).round(_DIGITS), kind="stable")
 

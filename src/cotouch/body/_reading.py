@@ -1,9 +1,10 @@
 """What a mesh's numbers mean, and whether they are a mesh."""
 
 from pathlib import Path
-from typing import Any, Final, Literal, TypeAlias, cast
+from typing import Final, Literal, TypeAlias, cast
 
 import numpy as np
+import numpy.typing as npt
 
 from cotouch.errors import BodyError
 from cotouch.meshfile import Mesh
@@ -50,7 +51,7 @@ def as_mesh(source: object, width: int, what: str) -> Mesh:
         BodyError: they are not.
     """
     try:
-        points, elements = cast("tuple[Any, Any]", source)
+        points, elements = cast("tuple[npt.ArrayLike, npt.ArrayLike]", source)
         places = np.array(points, dtype=np.float64)
         given = np.asarray(elements)
         corners = np.array(given, dtype=np.int64)

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Float, Int
+from cotouch.arrays import Array, Float, Int
 from cotouch.errors import BodyError
 
 # What the sum of a vertex's weights may be off by: they come from a division or from a file.
@@ -109,7 +109,7 @@ class Skin:
 def _table(name: str, values: npt.ArrayLike, kind: type, *, width: int | None) -> npt.NDArray[np.generic]:
     try:
         given = np.asarray(values)
-        array: npt.NDArray[Any] = np.array(given, dtype=cast("Any", kind), order="C")
+        array: Array = np.array(given, dtype=cast("Any", kind), order="C")
     except (TypeError, ValueError, OverflowError) as error:
         raise BodyError(f"{name} are not an array of numbers ({error}); give one row each") from error
     if array.size == 0:

@@ -1,7 +1,7 @@
 """Natural modes and static answers of large bodies: a factorisation ordered by where the nodes are."""
 
 from dataclasses import dataclass
-from typing import Any, final
+from typing import TYPE_CHECKING, final
 
 import numpy as np
 import scipy.linalg as la
@@ -9,6 +9,9 @@ import scipy.sparse as sp
 
 from cotouch.arrays import Float, Index
 from cotouch.body._eigenspaces import canonical
+
+if TYPE_CHECKING:
+    from scipy.sparse.linalg import SuperLU
 
 # Up to here a dense eigenvalue solve takes well under a second.
 _DENSE_ROWS = 600
@@ -45,7 +48,7 @@ class Statics:
     mass: sp.csr_array
     stiffness: sp.csr_array
     shift: float
-    factors: Any
+    factors: "SuperLU"
     order: Index
 
     def solve(self, rhs: Float) -> Float:
@@ -112,7 +115,7 @@ def _lowest_guess(mass: sp.csr_array, stiffness: sp.csr_array, nodes: int) -> fl
     return (middle if middle > 0.0 else 1.0) / nodes ** (2.0 / 3.0)
 
 
-def _node_graph(matrix: Any, axes: int) -> sp.csr_array:
+def _node_graph(matrix: sp.csr_array, axes: int) -> sp.csr_array:
     coo = matrix.tocoo()
     nodes = matrix.shape[0] // axes
     return sp.csr_array((np.ones(coo.nnz, np.int8), (coo.row // axes, coo.col // axes)), shape=(nodes, nodes))
@@ -176,9 +179,7 @@ def _lowest(
         from scipy.sparse.linalg import LinearOperator, eigsh
 
         ready = factorise(mass, stiffness, rest) if statics is None else statics
-        inverse: Any = LinearOperator(
-            (rows, rows), matvec=lambda b: ready.solve(np.asarray(b).ravel()), dtype=np.float64
-        )
+        inverse = LinearOperator((rows, rows), matvec=lambda b: ready.solve(np.asarray(b).ravel()), dtype=np.float64)
         values, shapes = eigsh(
             stiffness,
             k=wanted,

@@ -1,7 +1,7 @@
 """`cotouch body`."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypedDict
 
 from cotouch.cli._output import literal, number, print_json, print_note, working
 from cotouch.errors import ScenarioError
@@ -10,7 +10,9 @@ from cotouch.files import beside, folder
 if TYPE_CHECKING:
     from rich.table import Table
 
+    from cotouch.arrays import Float
     from cotouch.body import Body
+    from cotouch.simulation import BodyReport
 
 # What the options for meshes are where nobody gives them.
 _USUAL = {
@@ -32,7 +34,7 @@ def run(
     as_json: bool,
     ground: str,
     most: int | None = None,
-    **options: Any,
+    **options: object,
 ) -> None:
     """Reads a mesh, makes the body, and says what was understood; or says what bodies a scenario has.
 
@@ -65,22 +67,22 @@ def run(
         drawn: list[Path] = []
         if figures is not None:
             drawn.append(save_body_figure(body, numbers, fields, folder(figures)))
-    if table.modes is not None:
-        numbers["truncation"] = interruptible(_truncated)(body, table.modes)
+    truncation = None if table.modes is None else interruptible(_truncated)(body, table.modes)
     if as_json:
-        print_json({**numbers, "files": [str(file) for file in drawn]})
+        told = {} if truncation is None else {"truncation": truncation}
+        print_json({**numbers, **told, "files": [str(file) for file in drawn]})
         return
     from rich.console import Console
 
     console = Console()
-    console.print(_table(numbers))
+    console.print(_table(numbers, truncation))
     for note in numbers["notes"]:
         print_note(console, "yellow", literal(note))
     for file in drawn:
         console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
 
 
-def _refuse_mesh_options(path: Path, options: dict[str, Any]) -> None:
+def _refuse_mesh_options(path: Path, options: dict[str, object]) -> None:
     for name, value in options.items():
         if value is not None and value != _USUAL.get(name):
             raise ScenarioError(
@@ -122,7 +124,17 @@ def _tell_scenario(path: Path, *, as_json: bool) -> None:
     Console().print(table)
 
 
-def _of_scenario(name: str, body: "Body", rest: Any) -> dict[str, Any]:
+class _Row(TypedDict):
+    name: str
+    model: str
+    nodes: int
+    triangles: int
+    mass_kg: float
+    size_m: list[float]
+    middle_m: list[float]
+
+
+def _of_scenario(name: str, body: "Body", rest: "Float") -> _Row:
     """What one of a scenario's bodies is, and where."""
     skin = body.skin
     seen = rest if skin is None or not skin.vertices.size else _seen(body, rest)
@@ -137,7 +149,7 @@ def _of_scenario(name: str, body: "Body", rest: Any) -> dict[str, Any]:
     }
 
 
-def _seen(body: "Body", rest: Any) -> Any:
+def _seen(body: "Body", rest: "Float") -> "Float":
     """Where the vertices of its skin are among others, (V, 3) [m]."""
     assert body.skin is not None
     places = body.skin.interpolation(body.nodes) @ rest
@@ -145,12 +157,23 @@ def _seen(body: "Body", rest: Any) -> Any:
     return (places / grain).round() * grain if grain > 0.0 else places
 
 
-def _truncated(body: Any, modes: int) -> dict[str, Any]:
+class _Truncated(TypedDict):
+    modes: int
+    shapes: int
+    contacts: list[int]
+    compliance_error: float
+    compliance_error_without_residual: float
+
+
+def _truncated(body: "Body", modes: int) -> _Truncated:
     """How far a few modes are off under a fingertip, at nodes all over the skin."""
     import numpy as np
 
-    nodes = np.unique(body.skin.nodes[np.arange(0, len(body.skin.nodes), max(len(body.skin.nodes) // 8, 1)), 0])
+    assert body.skin is not None
+    held = body.skin.nodes[:, 0]
+    nodes = np.unique(held[:: max(len(held) // 8, 1)])
     found = body.truncated(modes=modes, contacts=nodes.tolist()).truncation
+    assert found is not None
     return {
         "modes": found.modes,
         "shapes": found.shapes.shape[1],
@@ -160,7 +183,7 @@ def _truncated(body: Any, modes: int) -> dict[str, Any]:
     }
 
 
-def _ground(text: str) -> Any:
+def _ground(text: str) -> str | dict[str, object]:
     """`z-`, `set:NAME`, `plane:X,Y,Z/NX,NY,NZ[/THICKNESS]`, `box:X,Y,Z/X,Y,Z`, as a scenario's table would say it."""
     kind, colon, rest = text.partition(":")
     if not colon:
@@ -182,7 +205,7 @@ def _ground(text: str) -> Any:
     )
 
 
-def _table(numbers: dict[str, Any]) -> "Table":
+def _table(numbers: "BodyReport", truncation: _Truncated | None) -> "Table":
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
 
@@ -200,7 +223,9 @@ def _table(numbers: dict[str, Any]) -> "Table":
     table.add_row("nodes", f"{numbers['nodes']:,}")
     table.add_row("elements", f"{numbers['elements']:,} {what} {number(numbers['spacing_m'], 'm')}")
     table.add_row("model", "linear elasticity" if numbers["model"] == "elastic" else numbers["model"])
-    table.add_row("skin", f"{numbers['skin']['vertices']:,} vertices, {numbers['skin']['triangles']:,} triangles")
+    skin = numbers["skin"]
+    if skin is not None:
+        table.add_row("skin", f"{skin['vertices']:,} vertices, {skin['triangles']:,} triangles")
     held = numbers["held_nodes"]
     free = numbers["free_rigid_motions"]
     loose = f", {free} rigid motion{'s' * (free != 1)} free" if free else ""
@@ -209,12 +234,11 @@ def _table(numbers: dict[str, Any]) -> "Table":
     each = ", each along all axes" if numbers["times_each"] > 1 else ""
     if not rigid:
         table.add_row("first modes", f"{heard} Hz{each}")
-    if "truncation" in numbers:
-        found = numbers["truncation"]
+    if truncation is not None:
         table.add_row(
-            f"{found['modes']} modes",
-            f"compliance at {len(found['contacts'])} skin nodes off by up to "
-            f"{100 * found['compliance_error_without_residual']:.3g} %; with their static residuals, "
-            f"{100 * found['compliance_error']:.1g} %",
+            f"{truncation['modes']} modes",
+            f"compliance at {len(truncation['contacts'])} skin nodes off by up to "
+            f"{100 * truncation['compliance_error_without_residual']:.3g} %; with their static residuals, "
+            f"{100 * truncation['compliance_error']:.1g} %",
         )
     return table

@@ -1,10 +1,11 @@
 """`cotouch certify`."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
+from cotouch.arrays import Float
 from cotouch.cli._output import literal, number, print_json
 from cotouch.errors import ScenarioError
 
@@ -70,7 +71,7 @@ def _numbers(text: str, users: int) -> list[float]:
     return values
 
 
-def _as_json(network: "Network", period: float, tables: _Tables, spare: _Spare) -> dict[str, Any]:
+def _as_json(network: "Network", period: float, tables: _Tables, spare: _Spare) -> dict[str, object]:
     certificates = [
         {
             "basis": basis,
@@ -98,7 +99,7 @@ def _as_json(network: "Network", period: float, tables: _Tables, spare: _Spare) 
     }
 
 
-def _flat(damping: Any) -> Any:
+def _flat(damping: Float) -> list[float] | list[list[float]]:
     """(N,) where a single column is in use, else (N, 1 + weights)."""
     used = np.flatnonzero(damping.any(axis=0))
     return damping[:, used[0] if used.size else 0].tolist() if used.size < 2 else damping.tolist()

@@ -2,7 +2,6 @@
 
 import json
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -28,9 +27,8 @@ def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) ->
 
     study = Study.read(path)
     beside(folder(out), [RESULTS, _REPORT], (path, *study.files()))
-    options: dict[str, Any] = {"store": out / CELLS, "jobs": jobs, "dask": dask}
     with counting("Compiling the kernels", _DOING, quiet=as_json) as progress:
-        found = compare(study, **options, progress=progress)
+        found = compare(study, store=out / CELLS, jobs=jobs, dask=dask, progress=progress)
     write_netcdf(found, out / RESULTS, "result")
     files = [out / RESULTS, write_report(found, out / _REPORT)]
     costs = mean_cost(found)

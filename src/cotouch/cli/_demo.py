@@ -5,7 +5,7 @@ import time
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, ExitStack, nullcontext
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from cotouch.cli._output import literal, print_json
 from cotouch.cli._progress import Progress
@@ -115,7 +115,7 @@ def run(
         sys.exit(1)
 
 
-def numbers(outcome: "DemoOutcome") -> dict[str, Any]:
+def numbers(outcome: "DemoOutcome") -> dict[str, object]:
     """The outcome for JSON."""
     return {
         "seconds": outcome.seconds,

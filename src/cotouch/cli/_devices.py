@@ -3,7 +3,7 @@
 import sys
 import time
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, NotRequired, TypedDict
 
 import numpy as np
 
@@ -11,14 +11,31 @@ from cotouch.cli._output import print_json
 from cotouch.cli._session import stop_signals
 from cotouch.errors import DeviceError
 
+if TYPE_CHECKING:
+    from cotouch.haptics import Device, DeviceReading, Flag
+
 _REDRAW = 10.0  # times a second
+
+
+class _Row(TypedDict):
+    """A driver; one that cannot be loaded says only why."""
+
+    name: str
+    summary: str
+    variants: list[str]
+    options: dict[str, str]
+    present: list[str]
+    force: NotRequired[float]
+    rate: NotRequired[float]
+    watchdog: NotRequired[str]
+    tested: NotRequired[str]
 
 
 def show(*, as_json: bool) -> None:
     """Lists all drivers that are installed, and what seems to be connected."""
     from cotouch.haptics import COUPLING, device_names, driver
 
-    rows: list[dict[str, Any]] = []
+    rows: list[_Row] = []
     for name in device_names():
         try:
             found = driver(name)
@@ -145,8 +162,8 @@ def monitor(text: str, *, seconds: float | None, as_json: bool) -> None:
 
 
 def _watch(
-    device: Any, period: float, seconds: float | None, stopped: Callable[[], bool], *, quiet: bool
-) -> tuple[int, float, Any]:
+    device: "Device", period: float, seconds: float | None, stopped: Callable[[], bool], *, quiet: bool
+) -> "tuple[int, float, DeviceReading]":
     from rich.console import Console
     from rich.live import Live
 
@@ -166,19 +183,19 @@ def _watch(
             time.sleep(max(0.0, period - (now - before)))
 
 
-def _line(reading: Any) -> str:
+def _line(reading: "DeviceReading") -> str:
     place = "  ".join(f"{axis} {1e3 * value:+7.2f}" for axis, value in zip("xyz", reading.position, strict=True))
     speed = float(np.linalg.norm(reading.velocity))
     return f"{place} mm   {speed:.3f} m/s   buttons {reading.buttons:b}   {', '.join(_flags(reading.flags))}"
 
 
-def _flags(flags: Any) -> list[str]:
+def _flags(flags: "Flag") -> list[str]:
     from cotouch.haptics import Flag
 
     return [str(flag.name).lower() for flag in Flag if flags & flag]
 
 
-def _opened(text: str) -> tuple[Any, Callable[[], None]]:
+def _opened(text: str) -> "tuple[Device, Callable[[], None]]":
     from cotouch.haptics import DeviceChoice, open_device
 
     choice = DeviceChoice.read(text)

@@ -103,7 +103,7 @@ def sweep(path: Path, *, vary: Sequence[str], out: Path | None, dask: str | None
     scenario = Scenario.read(path)
     if out is not None:
         beside(folder(out), [RESULTS], (path, *scenario.files()))
-    options: dict[str, list[Any]] = {}
+    options: dict[str, list[float | str]] = {}
     for text in vary:
         option, equals, values = text.partition("=")
         if not equals or not option or not values:
@@ -146,5 +146,5 @@ def sweep(path: Path, *, vary: Sequence[str], out: Path | None, dask: str | None
         sys.stdout.write(f"  wrote {printable(str(out / RESULTS))}\n")
 
 
-def _cell(value: Any) -> str:
+def _cell(value: object) -> str:
     return number(value) if isinstance(value, float) else literal(value)

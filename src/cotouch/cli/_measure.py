@@ -1,7 +1,7 @@
 """`cotouch measure`."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from cotouch.cli._output import literal, print_json, working
 from cotouch.cli._session import stop_signals, typed
@@ -38,7 +38,7 @@ def run(invitation: str, *, seconds: float, listen: str | None, out: Path | None
         _print(found, out)
 
 
-def numbers(found: "Measured") -> dict[str, Any]:
+def numbers(found: "Measured") -> dict[str, object]:
     """What was measured, for JSON; users are numbered from 1."""
     network = found.network
     return {

@@ -5,7 +5,7 @@ import math
 import sys
 from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, cast
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 from cotouch.errors import printable
 
 
-def print_json(value: dict[str, Any]) -> None:
+def print_json(value: Mapping[str, object]) -> None:
     """Prints one JSON object on standard output; what is not finite becomes null, which JSON has."""
     sys.stdout.write(json.dumps(_finite(value), indent=2) + "\n")
 
@@ -24,11 +24,11 @@ def say(text: str) -> None:
     sys.stderr.flush()
 
 
-def _finite(value: Any) -> Any:
+def _finite(value: object) -> object:
     if isinstance(value, dict):
-        return {str(key): _finite(entry) for key, entry in cast("dict[Any, Any]", value).items()}
+        return {str(key): _finite(entry) for key, entry in cast("dict[object, object]", value).items()}
     if isinstance(value, list | tuple):
-        return [_finite(entry) for entry in cast("list[Any]", value)]
+        return [_finite(entry) for entry in cast("list[object]", value)]
     if isinstance(value, float) and not math.isfinite(value):
         return None
     return value

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from cotouch.cli._output import number, print_json, working
-from cotouch.cli._plan_extras import DRAWN, draw, tuned
+from cotouch.cli._plan_extras import DRAWN, Extras, draw, tuned
 from cotouch.cli._plan_tables import UNITS, print_counts, print_plan, print_tuned, said_links
 from cotouch.errors import NetworkError, ScenarioError
 from cotouch.files import beside, folder, read_toml
@@ -81,7 +81,7 @@ def run(
     top = int(options.pop("top", 5))
     options["top"] = top if tune is None else max(top, FIRST)
     every: LinkCounts | None = None
-    result: dict[str, Any] = {}
+    result: Extras = {}
     with _progress(quiet=as_json) as progress:
         more: dict[str, Any] = (
             {"seconds": None if seconds is None else seconds / parts, "progress": progress} | limits | options
@@ -199,7 +199,7 @@ def _counts(text: str, size: int, possible: int) -> list[int]:
 def _tell(
     found: "Plan",
     every: "LinkCounts | None",
-    result: dict[str, Any],
+    result: Extras,
     top: int,
     *,
     as_json: bool,
@@ -207,7 +207,7 @@ def _tell(
     """Prints the plan with the `top` best choices, and whatever else there is."""
     found = replace(found, top=found.top[:top])
     if as_json:
-        print_json((found if every is None else replace(every, best=found)).numbers() | result)
+        print_json((found if every is None else replace(every, best=found)).numbers() | {**result})
         return
     print_plan(found)
     if every is not None:

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 from time import monotonic
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypedDict, TypeVar
 
 from cotouch.cli._output import number
 from cotouch.cli._plan_tables import LABELS, UNITS
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from cotouch.network import Network
-    from cotouch.planning import LinkCounts, Plan, Tuned
+    from cotouch.planning import LinkCounts, Plan, ProblemOptions, Tuned
 
 T = TypeVar("T")
 
@@ -30,8 +30,29 @@ _OF_TUNING, _LEAST_TUNING = 0.85, 0.3
 _LOADING = 2.0
 
 
+class TunedSprings(TypedDict):
+    """Springs that were tuned, of links by names of users, and which place these links had before."""
+
+    links: list[list[str]]
+    rank: int | None
+    spring: list[float]
+    damping: list[float]
+    damping_limit: float
+    start_factor: float
+    before: float
+    after: float
+    simulated: float | None
+
+
+class Extras(TypedDict, total=False):
+    """What a plan says besides: tuned springs, and files that were drawn."""
+
+    tuned: TunedSprings
+    files: list[str]
+
+
 def tuned(
-    result: dict[str, Any],
+    result: Extras,
     network: "Network",
     found: "Plan",
     limit: float,
@@ -59,9 +80,9 @@ def tuned(
     limit = limit if options["damping_limit"] is None else min(limit, options["damping_limit"])
     drag = options["drag_limit"]
 
-    def kept(one: "Tuned", rank: int | None = 1) -> None:
+    def kept(one: "Tuned", rank: int | None = 1) -> TunedSprings:
         users = network.users
-        result["tuned"] = {
+        told = result["tuned"] = {
             "links": [[users[a], users[b]] for a, b in one.network.links],
             "rank": rank,
             "spring": [float(one.network.spring[a, b]) for a, b in one.network.links],
@@ -72,6 +93,7 @@ def tuned(
             "after": one.after,
             "simulated": None,
         }
+        return told
 
     try:
         if found.objective == "decay" and options["lost"] == "nothing":
@@ -85,11 +107,11 @@ def tuned(
                 **{name: options[name] for name in named},
             )
             best = joint.tuned
-            kept(best, joint.rank)
+            told = kept(best, joint.rank)
         else:
             linked = network.with_links(found.best.links)
             best = tune_springs(linked, damping_limit=limit, drag_limit=drag, seconds=options["seconds"], **body)
-            kept(best)
+            told = kept(best)
     except JointInterrupted as interrupted:
         kept(interrupted.joint.tuned, interrupted.joint.rank)
         raise
@@ -99,7 +121,7 @@ def tuned(
     mass, damping, stiffness = best.mode.tolist()
     if best.after < 0:
         with suppress(UnsupportedError):  # tuning makes modes decay alike, and a run may not show which is the slowest
-            result["tuned"]["simulated"] = _within(
+            told["simulated"] = _within(
                 None if seconds is None else begun + seconds,
                 lambda: confirmed(best.network, best.after, mass=mass, damping=damping, stiffness=stiffness),
             )
@@ -170,8 +192,15 @@ def _ranks(network: "Network", found: "Plan", options: dict[str, Any]) -> "Figur
     if found.choices > _MOST_RANKED or options["lost"] != "nothing":
         return None
     named = ("require", "forbid", "max_degree", "damping_limit", "drag_limit", "mass", "damping", "stiffness")
-    grid = {name: options[name] for name in ("convention", "time_unit", "rounding")}
-    sides = {"consensus": grid | {"objective": "consensus"}, "decay": {"objective": "decay"}}
+    sides: dict[str, ProblemOptions] = {
+        "consensus": {
+            "objective": "consensus",
+            "convention": options["convention"],
+            "time_unit": options["time_unit"],
+            "rounding": options["rounding"],
+        },
+        "decay": {"objective": "decay"},
+    }
     try:
         limits = {name: options[name] for name in named}
         values = survey(network, links=len(found.best.links), objectives=sides, **limits).values

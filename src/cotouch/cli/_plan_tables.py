@@ -1,12 +1,13 @@
 """What `cotouch plan` found, as tables and sentences."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from cotouch.cli._output import literal, number
 from cotouch.errors import printable
 
 if TYPE_CHECKING:
+    from cotouch.cli._plan_extras import TunedSprings
     from cotouch.network import Pair
     from cotouch.planning import LinkCounts, Plan
 
@@ -142,7 +143,7 @@ def print_counts(every: "LinkCounts") -> None:
     )
 
 
-def print_tuned(tuned: dict[str, Any]) -> None:
+def print_tuned(tuned: "TunedSprings") -> None:
     from rich.console import Console
 
     console = Console()

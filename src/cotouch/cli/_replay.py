@@ -2,7 +2,7 @@
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypedDict
 
 import numpy as np
 
@@ -74,7 +74,23 @@ def _gaps(recording: "Recording") -> str:
     return f"{recording.path} is {'; '.join(filter(None, (recording.cut, missing)))}"
 
 
-def _now(recording: "Recording", row: int) -> dict[str, Any]:
+class _Link(TypedDict):
+    neighbour: int
+    age: float
+    state: str
+    work: float
+
+
+class _Now(TypedDict):
+    rate: float
+    T: float
+    force: float
+    residual: float
+    stored: float
+    links: list[_Link]
+
+
+def _now(recording: "Recording", row: int) -> _Now:
     """What there is to say of one step and those just before it."""
     columns = recording.columns
     end = float(columns["end"][row])
@@ -155,7 +171,7 @@ def _seconds(recording: "Recording") -> float:
     return float(columns["end"][-1] - columns["end"][0] + columns["T"][0])
 
 
-def _summary(recording: "Recording") -> dict[str, Any]:
+def _summary(recording: "Recording") -> dict[str, object]:
     columns = recording.columns
     T, force = columns["T"], np.linalg.norm(columns["force"].sum(axis=1), axis=-1)
     counts: dict[str, int] = {}

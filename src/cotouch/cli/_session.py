@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Generator
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from cotouch.cli._console import Console
 from cotouch.cli._output import print_json, say
@@ -175,7 +175,7 @@ def join(
         sys.exit(1)
 
 
-def numbers(taken: "PartOutcome") -> dict[str, Any]:
+def numbers(taken: "PartOutcome") -> dict[str, object]:
     """How taking part went, for JSON; the user is numbered from 1, slots in the status from 0."""
     status = taken.status
     return {

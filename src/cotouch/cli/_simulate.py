@@ -1,7 +1,7 @@
 """`cotouch simulate`."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypedDict
 
 import numpy as np
 
@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     import xarray as xr
     from rich.console import Console
     from rich.table import Table
+
+    from cotouch.simulation import Judged, Numbers, RigidToolSummary, Summary, ToolSummary
 
 # Waiting that takes less than this of the rate asked for is not worth a word.
 _AS_ASKED = 0.99
@@ -62,9 +64,10 @@ def run(
         from cotouch.simulation import animation as animation_of
 
         written.append(animation_of(result, scenario.build_body()).write(animation))
-    figures_of_run = {**interruptible(summary)(result, scenario.build_body()), **closure_of(result)}
+    figures_of_run, closure = interruptible(summary)(result, scenario.build_body()), closure_of(result)
     if as_json:
-        print_json({**figures_of_run, "files": [str(file) for file in written]})
+        told = {"closure": closure} if closure is not None else {}
+        print_json({**figures_of_run, **told, "files": [str(file) for file in written]})
         return figures_of_run["finished"]
     from rich.console import Console
 
@@ -79,36 +82,42 @@ def run(
     else:
         _users(console, scenario.network.users, figures_of_run)
     _rigid_tools(console, scenario.network.users, figures_of_run.get("rigid_tools", []))
-    console.print(_ledger(figures_of_run))
+    console.print(_ledger(figures_of_run, closure))
     for file in written:
         console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
     return figures_of_run["finished"]
 
 
-def closure_of(result: "xr.Dataset") -> dict[str, Any]:
-    """What balanced the steps of a body that bends or turns far; nothing of a linear one."""
+class Closure(TypedDict):
+    """Work of closing each user's steps; by what it changed velocities at most, and how often by more than 1 %."""
+
+    work_j: list[float]
+    largest_factor: float
+    alarms: int
+
+
+def closure_of(result: "xr.Dataset") -> Closure | None:
+    """What balanced the steps of a body that bends or turns far; None of a linear one."""
     if "closure" not in result:
-        return {}
+        return None
     return {
-        "closure": {
-            "work_j": [float(work) for work in result["closure"].max("step") - result["closure"].min("step")],
-            "largest_factor": float(result["closure_factor"].max()),
-            "alarms": int(result["closure_alarms"].max("step").sum()),
-        }
+        "work_j": [float(work) for work in result["closure"].max("step") - result["closure"].min("step")],
+        "largest_factor": float(result["closure_factor"].max()),
+        "alarms": int(result["closure_alarms"].max("step").sum()),
     }
 
 
-def _closure(figures: dict[str, Any], grid: "Table") -> None:
+def _closure(closure: Closure | None, grid: "Table") -> None:
     """Balanced energy proves no forces; by how much velocities were changed for it does."""
-    if "closure" in figures:
-        largest, alarms = figures["closure"]["largest_factor"], figures["closure"]["alarms"]
+    if closure is not None:
+        largest, alarms = closure["largest_factor"], closure["alarms"]
         told = f"; [yellow]{alarms} steps by more than 1 %: use shorter steps[/yellow]" if alarms else ""
         grid.add_row("  closure", f"changed velocities by at most {largest:.1e}{told}")
 
 
-def _users(console: "Console", names: tuple[str, ...], figures: dict[str, Any]) -> None:
+def _users(console: "Console", names: tuple[str, ...], figures: "Summary") -> None:
     held = figures["hold"]
-    columns: list[tuple[str, list[Any]]] = [
+    columns: list[tuple[str, list[Numbers]]] = [
         ("damping B\nNs/m", figures["local_damping"]),
         (f"x at {held['time_s']:g} s\nm", held["position"]),
         ("f then\nN", held["force"]),
@@ -118,15 +127,15 @@ def _users(console: "Console", names: tuple[str, ...], figures: dict[str, Any]) 
     print_columns(console, figures["title"], names, told)
 
 
-def _rigid_tools(console: "Console", names: tuple[str, ...], tools: list[dict[str, Any]]) -> None:
+def _rigid_tools(console: "Console", names: tuple[str, ...], tools: "list[RigidToolSummary]") -> None:
     """What the hands on rigid tools felt, a line for each."""
     for tool in tools:
         felt = f"{number(tool['peak_force_n'], digits=3)} N and {number(tool['peak_torque_nm'], digits=3)} Nm"
-        name = literal(names[int(tool["user"]) - 1])
+        name = literal(names[tool["user"] - 1])
         console.print(f"  {name} holds a tool ({tool['kind']}) and feels at most {felt}", highlight=False)
 
 
-def _tools(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":
+def _tools(names: tuple[str, ...], figures: "Summary") -> "Table":
     """With tools: what each of them felt instead of where nodes are, of which there are many."""
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
@@ -139,7 +148,7 @@ def _tools(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":
         table.add_column(heading, justify="right")
     for i, name in enumerate(names):
         start = [literal(name), _short(figures["local_damping"][i])]
-        own = [tool for tool in figures["tools"] if tool["user"] == i + 1]
+        own = [tool for tool in figures.get("tools", []) if tool["user"] == i + 1]
         for tool in own:
             count, node = tool["most_contacts"], "" if tool["kind"] == "touch" else " nodes"
             table.add_row(
@@ -156,7 +165,7 @@ def _tools(names: tuple[str, ...], figures: dict[str, Any]) -> "Table":
     return table
 
 
-def _paces(figures: dict[str, Any]) -> str | None:
+def _paces(figures: "Summary") -> str | None:
     """Who steps more slowly than asked because it waits for others; None where nobody does."""
     asked, taken = (np.atleast_1d(figures["rate_hz"][name]) for name in ("asked", "taken"))
     slow = np.flatnonzero(taken < _AS_ASKED * asked)
@@ -174,31 +183,31 @@ def _paces(figures: dict[str, Any]) -> str | None:
     return text + (f". Copies were up to {number(behind, 's', digits=3)} behind and caught up" if behind > 0.0 else "")
 
 
-def _coupling(tools: list[dict[str, Any]]) -> str | None:
+def _coupling(tools: "list[ToolSummary]") -> str | None:
     """Whether the couplings of all devices were passive, with the one that came nearest to its bound."""
-    coupled = [
-        (tool["coupling"]["excess_j"], tool["coupling"]["bound_j"], tool) for tool in tools if "coupling" in tool
-    ]
+    coupled = [tool["coupling"] for tool in tools if "coupling" in tool]
     if not coupled:
         return None
-    bad = sum(not tool["coupling"]["passive"] for *_, tool in coupled)
-    excess, bound, _ = max(coupled, key=lambda entry: entry[0] - entry[1])
+    bad = sum(not coupling["passive"] for coupling in coupled)
+    excess, bound = max(
+        ((coupling["excess_j"], coupling["bound_j"]) for coupling in coupled), key=lambda pair: pair[0] - pair[1]
+    )
     verdict = f"[red]{bad} of {len(coupled)} not passive[/red]" if bad else "passive"
     given, most = number(excess, "J", digits=3), number(bound, "J", digits=3)
     return f"{verdict}: gave at most {given} more than it received; bound {most}"
 
 
-def _hot(tools: list[dict[str, Any]]) -> list[str]:
+def _hot(tools: "list[ToolSummary]") -> list[str]:
     """Devices that could not do for long what they did in the run."""
     return [
         f"user {tool['user']}'s {tool['device']} exerted {number(tool['rms_force_n'], 'N', digits=3)} rms, more than "
-        f"the {number(tool['continuous_force_n'], 'N', digits=3)} that its motors can sustain"
+        f"the {number(most, 'N', digits=3)} that its motors can sustain"
         for tool in tools
-        if tool.get("continuous_force_n") is not None and tool["rms_force_n"] > tool["continuous_force_n"]
+        if "rms_force_n" in tool and (most := tool.get("continuous_force_n")) is not None and tool["rms_force_n"] > most
     ]
 
 
-def _law(judged: dict[str, Any], rounding: float) -> str:
+def _law(judged: "Judged", rounding: float) -> str:
     """What the links made, and whether that is what their law promises."""
     made, seed = (value if value > rounding else 0.0 for value in (judged["made_j"], judged["seed_j"]))
     text = f"{judged['law']}: created {number(made, 'J', digits=3)}"
@@ -208,7 +217,7 @@ def _law(judged: dict[str, Any], rounding: float) -> str:
     return f"{text}, {promise} {number(seed, 'J', digits=3)}"
 
 
-def _short(value: Any) -> str:
+def _short(value: "Numbers") -> str:
     """A number, or the first few of many."""
     while (entries := list_of(value)) is not None and len(entries) == 1:
         value = entries[0]
@@ -221,7 +230,7 @@ def _short(value: Any) -> str:
     return f"{len(value)} nodes"  # pyright: ignore[reportUnknownArgumentType]
 
 
-def _ledger(figures: dict[str, Any]) -> "Table":
+def _ledger(figures: "Summary", closure: Closure | None) -> "Table":
     from rich.table import Table
 
     settling = figures["settling_time_s"]
@@ -251,7 +260,7 @@ def _ledger(figures: dict[str, Any]) -> "Table":
         f"stored {number(energy['stored'], 'J')}, added by delay {number(energy['delay_work'], 'J')}",
     )
     grid.add_row("  residual", f"{figures['energy_residual']:.1e} of the energy in play")
-    _closure(figures, grid)
+    _closure(closure, grid)
     margin = figures["passivity_margin_j"]
     rounding = 1e-10 * energy["in_play"]
     verdict = "passive" if margin >= -rounding else "[red]not passive[/red]"
@@ -261,9 +270,9 @@ def _ledger(figures: dict[str, Any]) -> "Table":
     grid.add_row("  passivity", told)
     grid.add_row("  law", _law(figures["judge"], rounding))
     coupling = _coupling(figures.get("tools", []))
-    if coupling is not None:
+    if coupling is not None and "device_residual" in figures:
         grid.add_row("  devices", coupling)
-        for told in _hot(figures["tools"]):
+        for told in _hot(figures.get("tools", [])):
             grid.add_row("  [yellow]motors[/yellow]", told)
         grid.add_row("  device residual", f"{figures['device_residual']:.1e} of the energy in play")
     ages = figures["age_s"]

@@ -7,7 +7,7 @@ import os
 import sys
 import warnings
 from collections.abc import Generator
-from typing import Any, Final, NoReturn
+from typing import Final, NoReturn
 
 from cotouch.errors import OutputError
 
@@ -102,9 +102,11 @@ def warnings_as_sentences() -> Generator[None]:
     """What cotouch warns of is one line, without the place in its sources that Python would show."""
     usual = warnings.formatwarning
 
-    def formatted(message: Warning | str, category: type[Warning], *where: Any, **more: Any) -> str:
+    def formatted(
+        message: Warning | str, category: type[Warning], filename: str, lineno: int, line: str | None = None
+    ) -> str:
         own = category.__module__.partition(".")[0] == "cotouch"
-        return f"cotouch: {message}\n" if own else usual(message, category, *where, **more)
+        return f"cotouch: {message}\n" if own else usual(message, category, filename, lineno, line)
 
     warnings.formatwarning = formatted
     try:

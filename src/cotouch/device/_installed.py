@@ -8,7 +8,6 @@ An entry point of the group `cotouch.couplings` names a `DeviceCoupling`, under 
 
 from collections.abc import Iterable
 from importlib.metadata import entry_points
-from typing import Any
 
 from cotouch.errors import DeviceError
 from cotouch.mechanics import DeviceCoupling, device_couplings, register_coupling
@@ -35,7 +34,7 @@ def installed_coupling(name: str, *, what: str = "coupling", others: Iterable[st
         names = dict.fromkeys([*known, *sorted(entries), *others])
         raise DeviceError(f'{what} is "{name}"; it must be one of {", ".join(names)}')
     try:
-        loaded: Any = entries[name].load()
+        loaded: object = entries[name].load()
     except Exception as error:  # a package of others may fail in any way
         raise DeviceError(f'the coupling "{name}" cannot be loaded: {error}') from error
     if not isinstance(loaded, DeviceCoupling):

@@ -3,7 +3,7 @@
 """The drawing of a network: users on a circle, and labels on their links where they cover least."""
 
 from collections.abc import Callable, Generator, Sequence
-from typing import TYPE_CHECKING, Any, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Final, NamedTuple, final
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from cotouch.arrays import Float
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.typing import ColorType
 
 from cotouch.drawing._style import INK, MUTED, SURFACE
 
@@ -30,7 +31,7 @@ def network(
     *,
     width: float,
     strongest: float,
-    color: Callable[[float], Any],
+    color: Callable[[float], "ColorType"],
     labelled: bool = True,
     strengths: bool = True,
     delay_unit: float = 1e-3,

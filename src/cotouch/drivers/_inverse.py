@@ -6,7 +6,7 @@ import threading
 import time
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any, final
+from typing import final
 
 import numpy as np
 
@@ -262,7 +262,7 @@ class Inverse3:
             message = plea(name, what)
         raise DeviceError(_set_otherwise(name, wrong, "and does not let it be set back"))
 
-    def _full(self, link: WebSocket, message: bytes) -> Mapping[str, Any]:
+    def _full(self, link: WebSocket, message: bytes) -> Mapping[str, object]:
         """A frame in full, as the answer to a message or soon after."""
         for _ in range(_FRAMES):
             link.send(message)
@@ -313,7 +313,7 @@ class Inverse3:
         self._calibrated = bool(state.status.get("calibrated", True))
 
     @property
-    def _status(self) -> Mapping[str, Any]:
+    def _status(self) -> Mapping[str, object]:
         assert self._last is not None
         return self._last.status
 

@@ -5,7 +5,6 @@ import http.client
 import json
 import time
 from collections.abc import Iterator
-from typing import Any
 from urllib.parse import urlsplit
 
 import numpy as np
@@ -74,7 +73,7 @@ def holders(url: str) -> str:
     return " or ".join(f'"{name}"' for name in names[:_MOST_NAMES])
 
 
-def _profiles(said: Any) -> Iterator[str]:
+def _profiles(said: object) -> Iterator[str]:
     """Names of profiles in a list of sessions, or in an envelope around one."""
     envelope = table_of(said)
     if envelope is not None:

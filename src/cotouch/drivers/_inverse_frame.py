@@ -3,7 +3,7 @@
 import json
 import math
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from cotouch.errors import DeviceError
 from cotouch.files import list_of, table_of
@@ -50,14 +50,14 @@ class InverseState(NamedTuple):
     position: Triple
     velocity: Triple
     force: Triple
-    status: Mapping[str, Any]
-    config: Mapping[str, Any]
-    raw: Mapping[str, Any]
+    status: Mapping[str, object]
+    config: Mapping[str, object]
+    raw: Mapping[str, object]
     buttons: int
     orientation: Quaternion | None
 
 
-def read_frame(data: bytes) -> dict[str, Any]:
+def read_frame(data: bytes) -> dict[str, object]:
     """A message of the service.
 
     Raises:
@@ -72,12 +72,12 @@ def read_frame(data: bytes) -> dict[str, Any]:
     return frame
 
 
-def identities(frame: Mapping[str, Any]) -> list[str]:
+def identities(frame: Mapping[str, object]) -> list[str]:
     """`device_id` of every Inverse3 in a frame."""
     return [str(entry.get("device_id")) for entry in _entries(frame, "inverse3")]
 
 
-def choose(frame: Mapping[str, Any], wanted: str | None) -> str:
+def choose(frame: Mapping[str, object], wanted: str | None) -> str:
     """Which Inverse3 of the first frame to use.
 
     Args:
@@ -97,7 +97,7 @@ def choose(frame: Mapping[str, Any], wanted: str | None) -> str:
     return wanted or there[0]
 
 
-def grip_of(frame: Mapping[str, Any], identity: str, wanted: str | None) -> Grip | None:
+def grip_of(frame: Mapping[str, object], identity: str, wanted: str | None) -> Grip | None:
     """The handle that belongs to a device, in a full frame; None where that cannot be told for certain.
 
     A handle that names a device belongs to it and to no other; else the hand that both are for decides, if it does;
@@ -127,7 +127,7 @@ def grip_of(frame: Mapping[str, Any], identity: str, wanted: str | None) -> Grip
     return None
 
 
-def _names(entry: Mapping[str, Any], devices: Mapping[str, object]) -> set[str]:
+def _names(entry: Mapping[str, object], devices: Mapping[str, object]) -> set[str]:
     """Which devices a handle names, wherever it does so in what is said of it beside its own identity."""
     found: set[str] = set()
     left: list[object] = [value for key, value in entry.items() if key != "device_id"]
@@ -144,12 +144,12 @@ def _names(entry: Mapping[str, Any], devices: Mapping[str, object]) -> set[str]:
     return found
 
 
-def _hand(entry: Mapping[str, Any]) -> str | None:
+def _hand(entry: Mapping[str, object]) -> str | None:
     hand = _mapping(entry.get("config")).get("handedness", _mapping(entry.get("status")).get("handedness"))
-    return hand if hand in {"left", "right"} else None
+    return hand if isinstance(hand, str) and hand in {"left", "right"} else None
 
 
-def read_state(frame: Mapping[str, Any], identity: str, grip: Grip | None = None) -> InverseState:
+def read_state(frame: Mapping[str, object], identity: str, grip: Grip | None = None) -> InverseState:
     """What a frame says of one device.
 
     Args:
@@ -216,7 +216,7 @@ def read_event(data: bytes, identity: str, session: object = None) -> str | None
     return None
 
 
-def named(session: Any) -> str:
+def named(session: object) -> str:
     """What a session calls itself; empty for nothing, and never long or with odd characters."""
     if (said := table_of(session)) is not None:
         profile = said.get("profile", said.get("profile_name", said.get("name")))
@@ -225,7 +225,7 @@ def named(session: Any) -> str:
     return "".join(letter for letter in text if letter.isprintable())[:60]
 
 
-def _handle(frame: Mapping[str, Any], grip: Grip | None) -> tuple[int, Quaternion | None]:
+def _handle(frame: Mapping[str, object], grip: Grip | None) -> tuple[int, Quaternion | None]:
     """Buttons and orientation of a VerseGrip, by cable or without."""
     if grip is None:
         return 0, None
@@ -245,11 +245,11 @@ def _handle(frame: Mapping[str, Any], grip: Grip | None) -> tuple[int, Quaternio
     return mask | int(bool(state.get("button"))), orientation
 
 
-def _entries(frame: Mapping[str, Any], kind: str) -> list[Mapping[str, Any]]:
+def _entries(frame: Mapping[str, object], kind: str) -> list[Mapping[str, object]]:
     return [entry for entry in map(table_of, list_of(frame.get(kind)) or []) if entry is not None]
 
 
-def _mapping(value: object) -> Mapping[str, Any]:
+def _mapping(value: object) -> Mapping[str, object]:
     return table_of(value) or {}
 
 
@@ -259,7 +259,7 @@ def _triple(value: object) -> Triple | None:
     if place is None:
         return None
     try:
-        return float(place["x"]), float(place["y"]), float(place["z"])
+        return _number(place["x"]), _number(place["y"]), _number(place["z"])
     except KeyError:
         return None
     except (TypeError, ValueError):
@@ -272,10 +272,17 @@ def _quaternion(value: object) -> Quaternion:
         return _UPRIGHT
     try:
         return (
-            float(turn.get("x", 0.0)),
-            float(turn.get("y", 0.0)),
-            float(turn.get("z", 0.0)),
-            float(turn.get("w", 1.0)),
+            _number(turn.get("x", 0.0)),
+            _number(turn.get("y", 0.0)),
+            _number(turn.get("z", 0.0)),
+            _number(turn.get("w", 1.0)),
         )
     except (TypeError, ValueError):
         return _UPRIGHT
+
+
+def _number(value: object) -> float:
+    """As `float` has it; a list or an object is a `TypeError`."""
+    if not isinstance(value, str | float | int):
+        raise TypeError(value)
+    return float(value)

@@ -9,7 +9,6 @@ is no power in our metres. So we ask for all of them, read them back, and go on 
 import json
 from collections.abc import Iterator, Mapping
 from math import isfinite
-from typing import Any
 
 from cotouch.arrays import Float
 from cotouch.files import table_of
@@ -78,7 +77,7 @@ def command(identity: str, force: Float, *, first: bool = False, full: bool = Fa
     ).encode()
 
 
-def deviations(config: Mapping[str, Any], state: Mapping[str, Any]) -> dict[str, str]:
+def deviations(config: Mapping[str, object], state: Mapping[str, object]) -> dict[str, str]:
     """How a workspace differs from what was asked for: the setting, and what it is, in words.
 
     Args:
@@ -88,7 +87,7 @@ def deviations(config: Mapping[str, Any], state: Mapping[str, Any]) -> dict[str,
     return dict(_deviations(config, state))
 
 
-def _deviations(config: Mapping[str, Any], state: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+def _deviations(config: Mapping[str, object], state: Mapping[str, object]) -> Iterator[tuple[str, str]]:
     axes = config.get("basis")
     permutation = axes if (table := table_of(axes)) is None else table.get("permutation")
     if permutation is not None and permutation != _AXES:

@@ -3,7 +3,7 @@
 """A dataset as a NetCDF 4 file."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 from cotouch.files._write import prepare, write
 
@@ -29,6 +29,6 @@ def write_netcdf(run: "xr.Dataset", path: str | Path, what: str) -> None:
         OutputError: it cannot be written; what was there before still is.
     """
     prepare(Path(path), NETCDF)
-    packed: dict[str, Any] = {"zlib": True, "complevel": 1, "shuffle": True}
+    packed: dict[str, object] = {"zlib": True, "complevel": 1, "shuffle": True}
     encoding = {name: packed for name, values in run.data_vars.items() if values.dtype.kind == "f"}
     write(path, run.to_netcdf(None, engine="h5netcdf", encoding=encoding), what)

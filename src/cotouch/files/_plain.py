@@ -1,13 +1,13 @@
 """What a parsed file or message holds, by its kind: where types that nobody checked become types."""
 
-from typing import Any, cast
+from typing import cast
 
 
-def table_of(value: object) -> dict[str, Any] | None:
+def table_of(value: object) -> dict[str, object] | None:
     """A table, as JSON and TOML have them; None where it is anything else."""
-    return cast("dict[str, Any]", value) if isinstance(value, dict) else None
+    return cast("dict[str, object]", value) if isinstance(value, dict) else None
 
 
-def list_of(value: object) -> list[Any] | None:
+def list_of(value: object) -> list[object] | None:
     """A list, as JSON and TOML have them; None where it is anything else."""
-    return cast("list[Any]", value) if isinstance(value, list) else None
+    return cast("list[object]", value) if isinstance(value, list) else None

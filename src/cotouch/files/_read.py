@@ -4,7 +4,7 @@ import os
 import stat
 import tomllib
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 from cotouch.errors import CotouchError
 
@@ -84,7 +84,7 @@ def read_text(path: Path, what: str, error: type[CotouchError], most: int = MOST
         raise error(f"the {what} {path} cannot be read: it is not UTF-8 text") from None
 
 
-def read_toml(path: Path, what: str, error: type[CotouchError]) -> dict[str, Any]:
+def read_toml(path: Path, what: str, error: type[CotouchError]) -> dict[str, object]:
     """The tables of a TOML file.
 
     Args:
@@ -98,7 +98,7 @@ def read_toml(path: Path, what: str, error: type[CotouchError]) -> dict[str, Any
     return toml(read_text(path, what, error), str(path), error)
 
 
-def toml(text: str, source: str, error: type[CotouchError]) -> dict[str, Any]:
+def toml(text: str, source: str, error: type[CotouchError]) -> dict[str, object]:
     """The tables of TOML text.
 
     Args:

@@ -1,10 +1,12 @@
 """Tables as TOML text; the standard library only reads it."""
 
 from collections.abc import Mapping
-from typing import Any, cast
+from typing import cast
+
+from cotouch.files._plain import list_of
 
 
-def toml_text(tables: Mapping[str, Any]) -> str:
+def toml_text(tables: Mapping[str, object]) -> str:
     """TOML of tables, which reading makes the same of; None is left out.
 
     Args:
@@ -14,22 +16,20 @@ def toml_text(tables: Mapping[str, Any]) -> str:
     headed: list[str] = []
     for name, value in tables.items():
         if isinstance(value, Mapping):
-            headed += ["", f"[{name}]", *_entries(cast("Mapping[str, Any]", value))]
-        elif (
-            isinstance(value, list) and value and all(isinstance(entry, Mapping) for entry in cast("list[Any]", value))
-        ):
-            for entry in cast("list[Mapping[str, Any]]", value):
+            headed += ["", f"[{name}]", *_entries(cast("Mapping[str, object]", value))]
+        elif (entries := list_of(value)) and all(isinstance(entry, Mapping) for entry in entries):
+            for entry in cast("list[Mapping[str, object]]", entries):
                 headed += ["", f"[[{name}]]", *_entries(entry)]
         elif value is not None:
             lines.append(f"{name} = {_value(value)}")
     return "\n".join([*lines, *headed]).lstrip("\n") + "\n"
 
 
-def _entries(table: Mapping[str, Any]) -> list[str]:
+def _entries(table: Mapping[str, object]) -> list[str]:
     return [f"{name} = {_value(value)}" for name, value in table.items() if value is not None]
 
 
-def _value(value: Any) -> str:
+def _value(value: object) -> str:
     match value:
         case bool():
             return "true" if value else "false"
@@ -38,9 +38,9 @@ def _value(value: Any) -> str:
         case int() | float():
             return repr(value)
         case Mapping():
-            return "{" + ", ".join(_entries(cast("Mapping[str, Any]", value))) + "}"
+            return "{" + ", ".join(_entries(cast("Mapping[str, object]", value))) + "}"
         case list() | tuple():
-            return "[" + ", ".join(map(_value, cast("list[Any]", value))) + "]"
+            return "[" + ", ".join(map(_value, cast("list[object]", value))) + "]"
         case _:
             raise TypeError(f"{value!r} cannot be written as TOML")
 

@@ -126,7 +126,7 @@ class CouplingChoice:
             options = options._replace(stiffness=self.stiffness)
         return checked_virtual(checked(options, spec), spec, period=period)
 
-    def plain(self) -> dict[str, Any]:
+    def plain(self) -> dict[str, object]:
         """As JSON has it."""
         return asdict(self)
 

@@ -20,7 +20,7 @@ import sys
 import time
 from collections.abc import Callable
 from dataclasses import asdict
-from typing import Any, final
+from typing import final
 
 from cotouch.haptics._mailboxes import Looks, ReportReader
 from cotouch.haptics._registry import Driver, driver, make_device
@@ -166,7 +166,7 @@ def _peer_is_gone() -> bool:
     return bool(ready) and os.read(sys.stdin.fileno(), 1) == b""
 
 
-def _said(**values: Any) -> None:
+def _said(**values: object) -> None:
     with contextlib.suppress(OSError, ValueError):
         sys.stdout.write(json.dumps(values) + "\n")
         sys.stdout.flush()

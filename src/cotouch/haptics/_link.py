@@ -99,8 +99,8 @@ class ServoLink:
         self._over = ""
         self._kept_waiting = False  # real-time priority was refused
         self._silent = False
-        self.statistics: dict[str, Any] = {}
-        self.process: dict[str, Any] = {}
+        self.statistics: dict[str, float] = {}
+        self.process: dict[str, object] = {}
         self._number = 0  # of the coupling
         settings = self._settings = ServoSettings(
             device=choice,
@@ -277,7 +277,7 @@ class ServoLink:
                 continue
         return found
 
-    def _priority(self, state: dict[str, Any]) -> None:
+    def _priority(self, state: Mapping[str, Any]) -> None:
         """Tells whoever holds the device, once, that its processes may be kept waiting."""
         refused = state.get("real_time_refused")
         if self._settings.real_time is None or not refused or self._kept_waiting:

@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib import import_module
 from importlib.metadata import EntryPoint, entry_points
-from typing import Any, final
+from typing import final
 
 from cotouch.device import DeviceSpec
 from cotouch.errors import DeviceError
@@ -121,14 +121,14 @@ def driver(name: str) -> Driver:
     """
     if "/" in name:
         module, _, attribute = name.partition("/")
-        load: Callable[[], Any] = lambda: getattr(import_module(module), attribute)  # noqa: E731
+        load: Callable[[], object] = lambda: getattr(import_module(module), attribute)  # noqa: E731
     else:
         known: dict[str, EntryPoint] = {entry.name: entry for entry in entry_points(group=GROUP)}
         if name not in known:
             raise DeviceError(f'device is "{name}"; it must be one of {", ".join(sorted(known)) or "none: reinstall"}')
         load = known[name].load
     try:
-        loaded: Any = load()
+        loaded = load()
     except Exception as error:  # a driver of others may fail in any way
         raise DeviceError(f'the driver "{name}" cannot be loaded: {error}') from error
     if not isinstance(loaded, Driver):

@@ -14,7 +14,7 @@ import time
 from collections.abc import Callable
 from dataclasses import asdict
 from math import inf
-from typing import Any, final
+from typing import final
 
 import numpy as np
 
@@ -26,7 +26,7 @@ from cotouch.haptics._mailboxes import OrderReader, ReportWriter, Watched
 from cotouch.haptics._registry import open_device
 from cotouch.haptics._safety import ZERO, Cause
 from cotouch.haptics._settings import ServoSettings
-from cotouch.pacing import Pacer, ProcessState, prepare_process
+from cotouch.pacing import Pacer, prepare_process
 
 # A servo that stands still because of a fault still says so, this often [s].
 _IDLE = 0.01
@@ -212,7 +212,7 @@ def main() -> int:
         servo = Servo(device, settings, watched=watched, attended=lambda: not below(), unwatched=guard.silence)
         warm(device.spec, settings)
         with prepare_process(real_time=settings.real_time) as state:
-            if _said(ready=True, spec=asdict(device.spec), process=_plain(state), pid=os.getpid()) != 0:
+            if _said(ready=True, spec=asdict(device.spec), process=asdict(state), pid=os.getpid()) != 0:
                 return 0  # nobody waits for it any more
             _loop(servo, settings.period(device.spec), asked, watched)
     except Exception as error:  # noqa: BLE001  # as above
@@ -255,11 +255,7 @@ def _hung_up(pipe: int) -> Callable[[], bool]:
     return lambda: bool(poll.poll(0))
 
 
-def _plain(state: ProcessState) -> dict[str, Any]:
-    return asdict(state)
-
-
-def _said(**values: Any) -> int:
+def _said(**values: object) -> int:
     """Tells the peer; 1 if nobody is there to hear it, else 2 for an error and 0 for anything else."""
     try:
         sys.stdout.write(json.dumps(values) + "\n")

@@ -54,7 +54,7 @@ class Store:
         text = json.dumps([self._version, what, cell], sort_keys=True, allow_nan=True)
         return f"{what}-{hashlib.sha256(text.encode()).hexdigest()[:24]}.json"
 
-    def find(self, name: str) -> dict[str, Any] | None:
+    def find(self, name: str) -> Any:
         """A result that is there; None where there is none, or none that can be read."""
         path = self._place / name
         if not path.is_file():
@@ -64,7 +64,7 @@ class Store:
         except (OutputError, ValueError):
             return None
 
-    def keep(self, name: str, result: dict[str, Any]) -> None:
+    def keep(self, name: str, result: object) -> None:
         """Writes a result, whole or not at all.
 
         Args:
@@ -74,7 +74,7 @@ class Store:
         write(self._place / name, json.dumps(result).encode(), "cell")
 
 
-def source_of(made: Any) -> str:
+def source_of(made: Callable[..., object]) -> str:
     """Of all that a function is made of, so that with another version of it cells are computed anew.
 
     That is its file and what this package's files that it imports are made of; of one without a file, such as one that
@@ -131,14 +131,14 @@ def many(function: Callable[[A], R], items: Sequence[A], jobs: int = -1) -> list
 
 def cells(
     what: str,
-    function: Callable[[dict[str, Any]], dict[str, Any]],
-    items: Sequence[dict[str, Any]],
+    function: Callable[[A], R],
+    items: Sequence[A],
     *,
     jobs: int = -1,
     dask: str | None = None,
     store: Store | None = None,
     progress: Progress | None = None,
-) -> list[dict[str, Any]]:
+) -> list[R]:
     """The same with plain results, which are kept one by one as they come and not computed again.
 
     Args:
@@ -151,7 +151,9 @@ def cells(
         progress: told after each.
     """
     names = ["" if store is None else store.name(what, item) for item in items]
-    kept = {at: found for at, name in enumerate(names) if store is not None and (found := store.find(name)) is not None}
+    kept: dict[int, R] = {
+        at: found for at, name in enumerate(names) if store is not None and (found := store.find(name)) is not None
+    }
     left = [at for at in range(len(items)) if at not in kept]
     done = len(kept)
     if progress is not None:

@@ -4,18 +4,20 @@ import json
 from collections.abc import Mapping
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy as np
 
 from cotouch.errors import CotouchError, ScenarioError
 from cotouch.interrupt import check, interruptible
+from cotouch.laboratory._cell_tables import MapCell, Mapped, ScoreCell, Scored, TuneCell, Tuned
 from cotouch.laboratory._cells import Progress, Store, cells, contents_of, source_of
 from cotouch.laboratory._ideal import ideal
 from cotouch.laboratory._impedance import impedance
 from cotouch.laboratory._replicas import REPLICAS
 from cotouch.laboratory._score import MEASURES, dangerous, measured, sizes
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
+from cotouch.laboratory._tasks import Task
 from cotouch.laboratory._tune import tune
 from cotouch.laws import law_named
 from cotouch.simulation import Prepared, prepare, run_batch, with_hands
@@ -31,6 +33,15 @@ FELT = {
     "stiffness": ("N/m", "stiffness that it feels while the others hold"),
 }
 _MOST_CELLS = 100_000
+
+
+class _Named(TypedDict):
+    """How cells are computed, as `cells` takes it."""
+
+    jobs: int
+    dask: str | None
+    store: Store | None
+    progress: Progress | None
 
 
 @interruptible
@@ -62,14 +73,14 @@ def compare(
     from cotouch import __version__
 
     kept = None if store is None else Store(store, source_of(score))
-    named: dict[str, Any] = {"jobs": jobs, "dask": dask, "store": kept, "progress": progress}
+    named: _Named = {"jobs": jobs, "dask": dask, "store": kept, "progress": progress}
     tunings = study.settings
     count = len(study.laws) * len(study.networks) * len(study.users) * len(tunings)
     if count > _MOST_CELLS:
         raise ScenarioError(f"the study has {count} cells; at most {_MOST_CELLS} fit")
     held = {network.name: contents_of(study.files([network])) for network in study.networks}
     found = _tuned(study, held, named)
-    jobs_of: dict[str, dict[str, Any]] = {}
+    jobs_of: dict[str, ScoreCell] = {}
     asked: dict[tuple[str, str, str, int], str] = {}
     for law in study.laws:
         for network in study.networks:
@@ -78,7 +89,7 @@ def compare(
                 if (setting := settings.get(tuning)) is None:
                     continue
                 for users in study.users:
-                    cell = {
+                    cell: ScoreCell = {
                         "study": _part(study, law, network, users),
                         "setting": setting,
                         "code": _code(law),
@@ -100,16 +111,14 @@ def compare(
     return data
 
 
-def _tuned(
-    study: Study, held: Mapping[str, list[str]], named: Mapping[str, Any]
-) -> dict[tuple[str, str], dict[str, Any]]:
+def _tuned(study: Study, held: Mapping[str, list[str]], named: _Named) -> dict[tuple[str, str], Tuned]:
     """What tuning found for each law, on each network that somebody is tuned on, whose files hold `held`."""
     places = list(dict.fromkeys(network.tuned_on or network.name for network in study.networks))
     pairs = [(law, study.network(place)) for law in study.laws for place in places]
     if not study.tunes:
-        nothing: dict[str, Any] = {"settings": {"published": {}}, "cost": {}, "tried": 0, "problem": ""}
+        nothing: Tuned = {"settings": {"published": {}}, "cost": {}, "tried": 0, "problem": ""}
         return {(law.label, network.name): nothing for law, network in pairs}
-    items = [
+    items: list[TuneCell] = [
         {
             "study": _part(study, law, network, study.tuning.users, tuning=True),
             "code": _code(law),
@@ -121,21 +130,21 @@ def _tuned(
     return {(law.label, network.name): result for (law, network), result in zip(pairs, results, strict=True)}
 
 
-def _mapped(study: Study, found: Mapping[tuple[str, str], Any], named: Mapping[str, Any]) -> dict[str, list[Any]]:
+def _mapped(study: Study, found: Mapping[tuple[str, str], Tuned], named: _Named) -> dict[str, list[Mapped]]:
     """Danger and cost over delay and stiffness, a cell for each law and stiffness, with the first network's setting."""
     if study.map is None:
         return {}
     first = study.networks[0].tuned_on or study.networks[0].name
-    items: list[dict[str, Any]] = []
+    items: list[MapCell] = []
     held = contents_of(study.files([]))
     for law in study.laws:
         settings = found[law.label, first]["settings"]
-        setting: Any = settings.get("tuned") or settings.get("published") or {}
+        setting = settings.get("tuned") or settings.get("published") or {}
         for stiffness in study.map.stiffness:
             part = _part(study, law, NetworkTable(name="map", delay=0.0), 2)
             part["hands"] = [{**part["hands"][0], "stiffness": stiffness}]
-            item = {"study": part, "setting": setting, "delay": list(study.map.delay)}
-            items.append(item | {"code": _code(law), "files": held})
+            delay = list(study.map.delay)
+            items.append({"study": part, "setting": setting, "delay": delay, "code": _code(law), "files": held})
     results = cells("map", danger, items, **named)
     rows = len(study.map.stiffness)
     return {law.label: results[k * rows : (k + 1) * rows] for k, law in enumerate(study.laws)}
@@ -160,7 +169,7 @@ def _code(law: LawTable) -> str:
     return own if law.replica is None else own + source_of(REPLICAS[law.replica].move)
 
 
-def score(cell: dict[str, Any]) -> dict[str, Any]:
+def score(cell: ScoreCell) -> Scored:
     """Every task, hand and draw of one law with one setting, one network and one number of users.
 
     Args:
@@ -174,7 +183,7 @@ def score(cell: dict[str, Any]) -> dict[str, Any]:
     law, network, users = study.laws[0], study.networks[0], study.users[0]
     hands = _hands(study)
     counts = [study.draws if kind < len(study.hands) else min(study.draws, _STIFF_DRAWS) for kind in range(len(hands))]
-    runs: dict[str, list[Any]] = {name: [[[] for _ in study.tasks] for _ in hands] for name in MEASURES}
+    runs: dict[str, list[list[list[float]]]] = {name: [[[] for _ in study.tasks] for _ in hands] for name in MEASURES}
     try:
         for draw in range(max(counts)):
             prepared = drawn(study, draw, setting)
@@ -223,7 +232,7 @@ def _hands(study: Study) -> list[HandKind]:
 
 def _felt(study: Study, setting: Mapping[str, float], *, loose: bool) -> dict[str, float]:
     law, network, users, hand = study.laws[0], study.networks[0], study.users[0], study.hands[0]
-    holding = [{"user": i + 1, "stiffness": hand.stiffness, "damping": hand.damping} for i in range(users)]
+    holding: Task = [{"user": i + 1, "stiffness": hand.stiffness, "damping": hand.damping} for i in range(users)]
     seed = study.channel_seed(network, 0)
     scenario = study.scenario(law, network, users, study.placed(holding, users), seed=seed, setting=setting)
     held = impedance(scenario, 1, others="holding", frequencies=_TONES, jobs=1)
@@ -235,7 +244,7 @@ def _felt(study: Study, setting: Mapping[str, float], *, loose: bool) -> dict[st
     }
 
 
-def danger(cell: dict[str, Any]) -> dict[str, Any]:
+def danger(cell: MapCell) -> Mapped:
     """Whether a law is dangerous at each delay with one kind of hand, and what it costs there.
 
     Args:
@@ -285,9 +294,9 @@ def law_time(study: Study, law: LawTable) -> float:
 def _gathered(
     study: Study,
     tunings: list[str],
-    results: Mapping[tuple[str, str, str, int], dict[str, Any]],
-    found: Mapping[tuple[str, str], dict[str, Any]],
-    maps: Mapping[str, list[Any]],
+    results: Mapping[tuple[str, str, str, int], Scored],
+    found: Mapping[tuple[str, str], Tuned],
+    maps: Mapping[str, list[Mapped]],
 ) -> "xr.Dataset":
     import xarray as xr
 
@@ -309,7 +318,7 @@ def _gathered(
         untied[at] = result["loose"]
         risky[(*at, slice(len(result["dangerous"])))] = result["dangerous"]
     axes = ("law", "tuning", "network", "users")
-    data: dict[str, Any] = {
+    data: dict[str, object] = {
         name: ((*axes, "hand", "task", "draw"), values[name], {"units": unit, "long_name": meaning})
         for name, (unit, meaning) in MEASURES.items()
     }
@@ -332,7 +341,7 @@ def _gathered(
     data["source"] = ("law", np.array([fact["source"] for fact in facts], dtype=np.str_))
     taken = [law_time(study, law) for law in study.laws]
     data["time"] = ("law", np.array(taken), {"units": "s", "long_name": "of an end and step, beyond a spring's"})
-    coordinates: dict[str, Any] = {
+    coordinates: dict[str, object] = {
         "law": laws,
         "tuning": tunings,
         "network": nets,

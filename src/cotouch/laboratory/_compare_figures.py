@@ -2,17 +2,20 @@
 # matplotlib's keywords have no types
 """The figures of a comparison: where laws become dangerous, and what no law has all of."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from cotouch.arrays import Bool
 from cotouch.drawing import ALARM, DASHES, INK, MUTED, USERS, sheet
 from cotouch.laboratory._noticed import chosen, is_dangerous
 
 if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.axes import Axes
+    from matplotlib.collections import QuadMesh
     from matplotlib.figure import Figure
+    from matplotlib.lines import Line2D
 
 _ACROSS = 3
 _MARKS = ("o", "s", "^", "D", "v", "P", "X")
@@ -33,7 +36,7 @@ def maps(data: "xr.Dataset") -> "Figure":
     figure = sheet(0.5 + 1.75 * rows)
     panels = figure.subplots(rows, _ACROSS, sharex=True, sharey=True, squeeze=False)
     delay, stiffness = 1e3 * data["delay"].values, data["stiffness"].values
-    shades: Any = None
+    shades: QuadMesh | None = None
     for panel, law in zip(panels.ravel(), laws, strict=False):
         here = data.sel(law=law)
         cost = np.clip(np.nan_to_num(here["map_cost"].values, posinf=_HIGH, nan=_HIGH), _LOW, _HIGH)
@@ -54,13 +57,14 @@ def maps(data: "xr.Dataset") -> "Figure":
         if shown:
             shown[-1].set_xlabel("delay, one way / ms")
             shown[-1].tick_params(labelbottom=True)
+    assert shades is not None  # a study has laws
     bar = figure.colorbar(shades, ax=panels, shrink=0.7, aspect=30, pad=0.01)
     bar.set_label("J")
     bar.outline.set_visible(False)  # pyright: ignore[reportCallIssue]
     return figure
 
 
-def _line(panel: "Axes", risky: np.ndarray[Any, np.dtype[np.bool_]]) -> None:
+def _line(panel: "Axes", risky: Bool) -> None:
     """Crosses out what is dangerous, and draws the line around it."""
     rows, columns = risky.shape
     for r in range(rows):
@@ -92,8 +96,8 @@ def fronts(data: "xr.Dataset", users: int, across: str) -> "Figure":
     rows = -(-len(networks) // _ACROSS)
     figure = sheet(0.55 + 1.9 * rows)
     panels = figure.subplots(rows, _ACROSS, squeeze=False)
-    here: Any = data.sel(users=users, tuning=chosen(data))
-    lines: list[Any] = []
+    here = data.sel(users=users, tuning=chosen(data))
+    lines: list[Line2D] = []
     for panel, network in zip(panels.ravel(), networks, strict=False):
         points: list[tuple[float, float]] = []
         for index, law in enumerate(laws):

@@ -12,7 +12,7 @@ import numpy as np
 from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.laboratory._study import Study
-from cotouch.laboratory._tasks import Task
+from cotouch.laboratory._tasks import Hands
 from cotouch.network import Network
 from cotouch.scenario import Scenario
 from cotouch.simulation import Outcome, Prepared, prepare, run_batch
@@ -41,7 +41,7 @@ _known: OrderedDict[str, Ideal] = OrderedDict()
 _lock = Lock()
 
 
-def ideal(study: Study, hands: Task) -> Ideal:
+def ideal(study: Study, hands: Hands) -> Ideal:
     """What one copy without delay does; not for writing, because the same hands get the same arrays.
 
     Args:
@@ -62,7 +62,7 @@ def ideal(study: Study, hands: Task) -> Ideal:
     return found
 
 
-def _run(study: Study, body: Body, hands: Task) -> Ideal:
+def _run(study: Study, body: Body, hands: Hands) -> Ideal:
     alone = Scenario.make(
         network=Network(users=["all"], spring=[[0.0]], delay=[[0.0]]),
         body=body,

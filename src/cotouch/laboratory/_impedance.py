@@ -4,7 +4,7 @@ Predicted for laws that are linear, from the bodies' matrices and the mean ages 
 pushing with one tone after the other. Both are `Z = f/v` at the node that the hand holds.
 """
 
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -92,8 +92,8 @@ def impedance(
     found: dict[str, Complex] = {"predicted": _predicted(prepared, user - 1, place - 1, axis, tones)}
     if measured:
         found["measured"] = np.array(many(lambda tone: _measured(still, user, place, axis, tone), tones.tolist(), jobs))
-    data: dict[str, Any] = {}
-    attrs: dict[str, Any] = {"law": law.name, "user": user, "node": place, "others": others}
+    data: dict[str, object] = {}
+    attrs: dict[str, object] = {"law": law.name, "user": user, "node": place, "others": others}
     for name, values in found.items():
         for part, numbers in (("real", values.real), ("imag", values.imag)):
             data[f"{name}_{part}"] = ("frequency", numbers, {"units": "N s/m", "long_name": f"impedance, {name}"})
@@ -167,7 +167,7 @@ def _predicted(prepared: Prepared, user: int, node: int, axis: int, tones: Float
         whole = sp.block_diag([copy + extra for extra in held]) + sp.kron(sp.csr_array(between), sp.eye_array(rows))
         push = np.zeros(count * rows, dtype=np.complex128)
         push[at] = 1.0
-        answer: Any = solver.spsolve(sp.csc_array(whole), push)
+        answer = solver.spsolve(sp.csc_array(whole), push)
         result[index] = 1.0 / np.atleast_1d(answer)[at]
     return result
 

@@ -2,7 +2,7 @@
 # xarray's keywords have no types
 """What people notice, and the figures of a comparison in multiples of it."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypedDict
 
 import numpy as np
 
@@ -50,7 +50,7 @@ def multiples(data: "xr.Dataset", study: Study, law: str, network: str, users: i
         network: likewise.
         users: how many.
     """
-    here: Any = data.sel(law=law, network=network, users=users, tuning=chosen(data))
+    here = data.sel(law=law, network=network, users=users, tuning=chosen(data))
     mass = float(study.build_body().mass.diagonal().max())
     hand = study.hands[0]
     others = (users - 1) * hand.stiffness
@@ -73,7 +73,7 @@ def is_dangerous(data: "xr.Dataset", law: str, network: str, users: int, *, hand
         users: how many.
         hand: which kind of hand.
     """
-    here: Any = data.sel(law=law, network=network, users=users, tuning=chosen(data)).isel(hand=hand)
+    here = data.sel(law=law, network=network, users=users, tuning=chosen(data)).isel(hand=hand)
     return bool(here["dangerous"] == 1.0) or bool(np.isinf(here["cost"].values).any())
 
 
@@ -97,7 +97,20 @@ def ours(data: "xr.Dataset", study: Study) -> str:
     return min(able, key=total)
 
 
-def losing(data: "xr.Dataset", study: Study) -> list[dict[str, Any]]:
+class Loss(TypedDict):
+    """Where a rival costs less: its name, what ours and the rival cost, and the difference [J]."""
+
+    network: str
+    users: int
+    hand: str
+    task: str
+    rival: str
+    cost: float
+    best: float
+    gap: float
+
+
+def losing(data: "xr.Dataset", study: Study) -> list[Loss]:
     """Where another law costs less than ours, for certain at 95 %, worst first.
 
     Args:
@@ -107,7 +120,7 @@ def losing(data: "xr.Dataset", study: Study) -> list[dict[str, Any]]:
     own, tuning = ours(data, study), chosen(data)
     cost = data["cost"].sel(tuning=tuning)
     laws = data["law"].values.tolist()
-    found: list[dict[str, Any]] = []
+    found: list[Loss] = []
     for n, network in enumerate(data["network"].values.tolist()):
         for u, users in enumerate(data["users"].values.tolist()):
             for h, hand in enumerate(data["hand"].values.tolist()):
@@ -126,7 +139,16 @@ def losing(data: "xr.Dataset", study: Study) -> list[dict[str, Any]]:
                     # The same draws for all, so it is their differences that tell.
                     gap, half = spread(mine - rivals[rival]) if np.isfinite(mine).all() else (float("inf"), 0.0)
                     if gap > half:
-                        place = {"network": network, "users": users, "hand": hand, "task": task}
-                        numbers = {"cost": float(mine.mean()), "best": float(rivals[rival].mean())}
-                        found.append({**place, "rival": rival, **numbers, "gap": gap})
+                        found.append(
+                            {
+                                "network": network,
+                                "users": users,
+                                "hand": hand,
+                                "task": task,
+                                "rival": rival,
+                                "cost": float(mine.mean()),
+                                "best": float(rivals[rival].mean()),
+                                "gap": gap,
+                            }
+                        )
     return sorted(found, key=lambda entry: -entry["gap"])

@@ -1,7 +1,7 @@
 """What a run costs: how far copies and forces are from those of one copy that all hold without any delay."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TypedDict
 
 import numpy as np
 
@@ -9,6 +9,7 @@ from cotouch.laboratory._ideal import Ideal, forces, places
 from cotouch.laboratory._quality import etvo, hpw_psnr, psnr
 from cotouch.laboratory._replicas import REPLICAS, Moved, replicate
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
+from cotouch.laboratory._tasks import Task
 from cotouch.laws import law_named
 from cotouch.simulation import Outcome, Prepared, prepare, run_prepared, with_hands
 
@@ -142,7 +143,7 @@ def dangerous(
         draws: of the channel.
         let_go: nobody holds, and it is the motion of copies against each other that must die away.
     """
-    still = [{"user": i + 1, "stiffness": hand.stiffness, "damping": hand.damping} for i in range(users)]
+    still: Task = [{"user": i + 1, "stiffness": hand.stiffness, "damping": hand.damping} for i in range(users)]
     body = study.build_body()
     velocity = np.zeros((users, body.nodes, body.dimension))
     velocity[0, :, 0] = _PUSH
@@ -183,7 +184,16 @@ def _play(outcome: Outcome) -> float:
     return float(np.nanmax(np.abs(outcome.record.ticks[:4]), initial=0.0))
 
 
-def sizes(study: Study, law: LawTable) -> dict[str, Any]:
+class Sizes(TypedDict):
+    """What a law sends for one neighbour and step; its source; whether it promises to make no energy."""
+
+    bytes: int
+    sends: list[str]
+    source: str
+    promises: bool
+
+
+def sizes(study: Study, law: LawTable) -> Sizes:
     """What a law sends, as plain numbers, for one neighbour and step.
 
     Args:

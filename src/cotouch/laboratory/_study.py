@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from itertools import chain
 from pathlib import Path
-from typing import Annotated, Any, Literal, Self, final
+from typing import Annotated, Literal, Self, final
 from zlib import crc32
 
 import numpy as np
@@ -15,7 +15,7 @@ from cotouch.errors import NetworkError, ScenarioError
 from cotouch.files import list_of, read_text, table_of, toml
 from cotouch.laboratory._replicas import REPLICAS
 from cotouch.laboratory._study_tables import HandKind, LawTable, MapTable, NetworkTable, Tuning, Users
-from cotouch.laboratory._tasks import TASKS, Task
+from cotouch.laboratory._tasks import TASKS, Hands, Task
 from cotouch.laws import FORCE, law_named
 from cotouch.network import Network, complete, path, ring, star
 from cotouch.scenario import Positive, Scenario, Table, sentence
@@ -65,7 +65,7 @@ class Study(Table):
     tasks: Annotated[list[str], Field(min_length=1)] = Field(default_factory=lambda: list(TASKS))
     hands: Annotated[list[HandKind], Field(min_length=1, max_length=20)] = Field(default_factory=lambda: [HandKind()])
     stiffer: Annotated[float, Field(ge=1.0, le=100.0)] = 6.0
-    body: dict[str, Any] = Field(default_factory=lambda: {"kind": "point", "mass": 1.0})
+    body: dict[str, object] = Field(default_factory=lambda: {"kind": "point", "mass": 1.0})
     period: Positive = 1e-3
     duration: Annotated[float, Field(ge=4.0, le=600.0)] = 5.0
     felt: bool = True
@@ -75,7 +75,7 @@ class Study(Table):
 
     @model_validator(mode="before")
     @classmethod
-    def _short_laws(cls, value: Any) -> Any:
+    def _short_laws(cls, value: object) -> object:
         """A law may be just its name, or a table as in `[synchronisation]`."""
         tables = table_of(value)
         named = None if tables is None else list_of(tables.get("laws"))
@@ -121,14 +121,14 @@ class Study(Table):
         return self
 
     @classmethod
-    def make(cls, *, source: str = "the study", **tables: Any) -> "Study":
+    def make(cls, *, source: str = "the study", **tables: object) -> "Study":
         """Makes a study from tables; errors are one sentence each.
 
         Raises:
             ScenarioError: something in it is wrong.
         """
         try:
-            return cls(**tables)
+            return cls.model_validate(tables)
         except ValidationError as error:
             raise ScenarioError(sentence(error, source)) from None
 
@@ -145,8 +145,8 @@ class Study(Table):
         _root(tables, "body", "file", place.parent)
         for entry in entries:
             _root(entry.get("channel"), "trace", "file", place.parent)
-            if isinstance(entry.get("delays"), str):
-                entry["delays"] = str(place.parent / entry["delays"])
+            if isinstance(delays := entry.get("delays"), str):
+                entry["delays"] = str(place.parent / delays)
         return cls.make(source=str(place), **tables)
 
     def files(self, only: Sequence[NetworkTable] | None = None) -> tuple[Path, ...]:
@@ -215,12 +215,12 @@ class Study(Table):
         law: LawTable,
         network: NetworkTable,
         users: int,
-        hands: Sequence[Mapping[str, Any]],
+        hands: Sequence[Mapping[str, object]],
         *,
         seed: int = 0,
         setting: Mapping[str, float] | None = None,
         duration: float | None = None,
-        initial: Mapping[str, Any] | None = None,
+        initial: Mapping[str, object] | None = None,
     ) -> Scenario:
         """A run.
 
@@ -245,7 +245,7 @@ class Study(Table):
             )
         joined = self.joined(network, users, factors.pop("spring", 1.0))
         given = {**{name: f"{factor!r}x" for name, factor in factors.items()}, **law.given}
-        synchronisation: dict[str, Any] = {"mode": network.mode, "law": {"kind": law.kind, **given}}
+        synchronisation: dict[str, object] = {"mode": network.mode, "law": {"kind": law.kind, **given}}
         if law_named(law.kind).constant_delay and network.varies and network.mode != "constant":
             synchronisation |= {"mode": "constant", "quantile": _PLAYED_OUT}
         if law.damping is not None or law.replica is not None:
@@ -261,7 +261,7 @@ class Study(Table):
             initial=dict(initial or {}),
         )
 
-    def task(self, name: str, users: int, hand: HandKind, draw: int) -> Task:
+    def task(self, name: str, users: int, hand: HandKind, draw: int) -> Hands:
         """What hands do in a draw; negative draws are those that laws are tuned with.
 
         Args:
@@ -273,7 +273,7 @@ class Study(Table):
         rng = np.random.default_rng((self.seed, crc32(name.encode()), draw + 1_000_000))
         return self.placed(TASKS[name](users, hand.stiffness, hand.damping, rng), users)
 
-    def placed(self, hands: Task, users: int) -> Task:
+    def placed(self, hands: Task, users: int) -> Hands:
         """Hands with nodes, which users share evenly, and with as many axes as the body has.
 
         Args:
@@ -283,14 +283,14 @@ class Study(Table):
         body = self.build_body()
         more = [0.0] * (body.dimension - 1)
 
-        def wide(value: Any) -> Any:
-            rows = list_of(value)
-            return [value, *more] if rows is None else [[*row, *more] for row in rows]
+        def wide(value: float | list[list[float]]) -> list[float] | list[list[float]]:
+            return [[*row, *more] for row in value] if isinstance(value, list) else [value, *more]
 
         return [
-            hand
+            dict(hand)
             | {"node": 1 + (hand["user"] - 1) * (body.nodes - 1) // max(users - 1, 1)}
-            | {name: wide(hand[name]) for name in ("path", "amplitude") if name in hand}
+            | ({"path": wide(hand["path"])} if "path" in hand else {})
+            | ({"amplitude": wide(hand["amplitude"])} if "amplitude" in hand else {})
             for hand in hands
         ]
 
@@ -340,9 +340,9 @@ def spread(draws: Float) -> tuple[float, float]:
     return float(draws.mean()), float(stats.t.ppf(0.975, draws.size - 1) * draws.std(ddof=1) / np.sqrt(draws.size))
 
 
-def _root(holder: Any, name: str, key: str, folder: Path) -> None:
+def _root(holder: object, name: str, key: str, folder: Path) -> None:
     """Makes the file that a table names relative to a folder."""
     tables = table_of(holder)
     named = None if tables is None else table_of(tables.get(name))
-    if tables is not None and named is not None and isinstance(named.get(key), str):
-        tables[name] = {**named, key: str(folder / named[key])}
+    if tables is not None and named is not None and isinstance(file := named.get(key), str):
+        tables[name] = {**named, key: str(folder / file)}

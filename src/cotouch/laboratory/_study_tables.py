@@ -57,7 +57,7 @@ class LawTable(Table):
         return self.law if isinstance(self.law, str) else str(self.law.get("kind", ""))
 
     @property
-    def given(self) -> dict[str, Any]:
+    def given(self) -> dict[str, float | str]:
         """Parameters that it is given."""
         return (
             {}
@@ -84,7 +84,7 @@ class NetworkTable(Table):
     delay: NonNegative | None = None
     delays: str | None = None
     pick: list[str] = Field(default_factory=list[str])
-    channel: dict[str, Any] = Field(default_factory=dict[str, Any])
+    channel: dict[str, object] = Field(default_factory=dict[str, object])
     mode: Mode = "freshest"
     tuned_on: str | None = None
 

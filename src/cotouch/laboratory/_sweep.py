@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from itertools import product
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypedDict
 
 import numpy as np
 
@@ -36,7 +36,22 @@ _MOST_RUNS = 100_000
 _NAMING = {"synchronisation", "body", "channel"}
 
 
-def values_of(text: str) -> list[Any]:
+class _Cell(TypedDict):
+    """A run, and all that its figures follow from: digests of the body, its law's code and the files that it reads."""
+
+    scenario: str
+    body: str
+    options: dict[str, object]
+    code: str
+    files: list[str]
+
+
+class _Ran(TypedDict):
+    figures: dict[str, float]
+    problem: str
+
+
+def values_of(text: str) -> list[float | str]:
     """Reads `a:b:n` (n numbers from a to b), `a:b:n:log`, or a list with commas; what is no number stays text.
 
     Raises:
@@ -59,7 +74,7 @@ def values_of(text: str) -> list[Any]:
     return (np.geomspace if log else np.linspace)(low, high, count).tolist()
 
 
-def _number(text: str) -> Any:
+def _number(text: str) -> float | str:
     try:
         return int(text)
     except ValueError:
@@ -70,7 +85,7 @@ def _number(text: str) -> Any:
         return text
 
 
-def varied(scenario: Scenario, option: str, value: Any) -> Scenario:
+def varied(scenario: Scenario, option: str, value: object) -> Scenario:
     """The scenario with one option at another value.
 
     Args:
@@ -112,7 +127,7 @@ def varied(scenario: Scenario, option: str, value: Any) -> Scenario:
 @interruptible
 def sweep(
     scenario: Scenario,
-    vary: Mapping[str, Sequence[Any]],
+    vary: Mapping[str, Sequence[object]],
     *,
     store: Path | None = None,
     jobs: int = -1,
@@ -144,30 +159,35 @@ def sweep(
         raise ScenarioError(f"there are {count} combinations to run; there must be 1 to {_MOST_RUNS}")
     if not any(option.startswith("synchronisation.") for option in vary):
         scenario = scenario.replace(synchronisation__law=scenario.synchronisation.law or scenario.law[0])
-    whole = {"scenario": scenario.as_json(), "body": digest(scenario.build_body())}
-    combinations = [dict(zip(vary, values, strict=True)) for values in product(*vary.values())]
-    items = [{**whole, "options": each, **_made_of(scenario, each)} for each in combinations]
+    whole, body = scenario.as_json(), digest(scenario.build_body())
+    items: list[_Cell] = []
+    for values in product(*vary.values()):
+        options = dict(zip(vary, values, strict=True))
+        code, files = _made_of(scenario, options)
+        items.append({"scenario": whole, "body": body, "options": options, "code": code, "files": files})
     kept = None if store is None else Store(store, source_of(_run))
     done = cells("run", partial(_run, scenario), items, jobs=jobs, dask=dask, store=kept, progress=progress)
     results = [(found["figures"], found["problem"]) for found in done]
     if all(problem for _, problem in results):
         raise ScenarioError(results[0][1])
     shape, dims = tuple(len(values) for values in vary.values()), tuple(vary)
-    data: dict[str, Any] = {
-        name: (dims, np.reshape([figures.get(name, np.nan) for figures, _ in results], shape), {"units": unit})
-        for name, (unit, _) in FIGURES.items()
+    data: dict[str, object] = {
+        name: (
+            dims,
+            np.reshape([figures.get(name, np.nan) for figures, _ in results], shape),
+            {"units": unit, "long_name": meaning},
+        )
+        for name, (unit, meaning) in FIGURES.items()
     }
-    for name, (_, meaning) in FIGURES.items():
-        data[name][2]["long_name"] = meaning
     data["problem"] = (dims, np.reshape(np.array([problem for _, problem in results], dtype=np.str_), shape))
     coordinates = {
         name: np.array(values if all(isinstance(v, int | float) for v in values) else [str(v) for v in values])
         for name, values in vary.items()
     }
-    return xr.Dataset(data, coords=coordinates, attrs={"scenario": scenario.as_json()})
+    return xr.Dataset(data, coords=coordinates, attrs={"scenario": whole})
 
 
-def _made_of(scenario: Scenario, options: Mapping[str, Any]) -> dict[str, Any]:
+def _made_of(scenario: Scenario, options: Mapping[str, object]) -> tuple[str, list[str]]:
     """The file of a run's law, and what those that it reads hold; nothing where the run cannot be."""
     try:
         for option, value in options.items():
@@ -175,11 +195,11 @@ def _made_of(scenario: Scenario, options: Mapping[str, Any]) -> dict[str, Any]:
                 scenario = varied(scenario, option, value)
         law = law_named(scenario.law[0])
     except CotouchError:
-        return {"code": "", "files": []}
-    return {"code": source_of(law.before), "files": contents_of(scenario.files())}
+        return "", []
+    return source_of(law.before), contents_of(scenario.files())
 
 
-def _run(scenario: Scenario, cell: Mapping[str, Any]) -> dict[str, Any]:
+def _run(scenario: Scenario, cell: _Cell) -> _Ran:
     """The figures of one run, or the problem for which there are none."""
     try:
         for option, value in cell["options"].items():

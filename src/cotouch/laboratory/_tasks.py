@@ -1,11 +1,33 @@
 """What hands do in a comparison: five tasks, each with draws of its own."""
 
 from collections.abc import Callable
-from typing import Any, TypeAlias
+from typing import Required, TypeAlias, TypedDict, Unpack
 
 import numpy as np
 
-Task: TypeAlias = list[dict[str, Any]]
+
+class _More(TypedDict, total=False):
+    """What a hand does: options of a scenario's hand, on one axis; see `[[hands]]`."""
+
+    path: float | list[list[float]]
+    amplitude: float
+    frequency: float
+    phase: float
+    begin: float
+    release: float
+
+
+class TaskHand(_More):
+    """A hand of a task: its user from 1, stiffness [N/m], damping [Ns/m], and what it does."""
+
+    user: Required[int]
+    stiffness: Required[float]
+    damping: Required[float]
+
+
+Task: TypeAlias = list[TaskHand]
+# Hands as a scenario has them.
+Hands: TypeAlias = list[dict[str, object]]
 # A task, of users, stiffness and damping of hands [N/m, Ns/m], and randomness.
 Make: TypeAlias = Callable[[int, float, float, np.random.Generator], Task]
 
@@ -22,7 +44,7 @@ def _reach(begin: float, end: float, start: float, goal: float) -> list[list[flo
     ]
 
 
-def _hand(user: int, stiffness: float, damping: float, **more: Any) -> dict[str, Any]:
+def _hand(user: int, stiffness: float, damping: float, **more: Unpack[_More]) -> TaskHand:
     return {"user": user, "stiffness": stiffness, "damping": damping, **more}
 
 

@@ -2,12 +2,13 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, final
+from typing import NamedTuple, final
 
 import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.interrupt import check
+from cotouch.laboratory._tasks import Task
 from cotouch.scenario import Scenario
 from cotouch.simulation import Prepared, prepare, run_prepared
 
@@ -17,18 +18,28 @@ _LONG, _ROUND = 1.5, 1e-12
 _FIRST, _STEP, _LONGER, _SHORTER, _LEAST = 0.2, 0.2, 1.5, 0.93, 0.02
 
 
-def wild(rng: np.random.Generator, users: int, duration: float) -> dict[str, Any]:
-    """Steps, channel and hands, soft and stiff; and `delay`, of each pair one way.
+@final
+class Wild(NamedTuple):
+    """Delay of each pair one way, (users, users) [s]; tables of steps, channel and hands."""
+
+    delay: Float
+    steps: dict[str, object]
+    channel: dict[str, object]
+    hands: Task
+
+
+def wild(rng: np.random.Generator, users: int, duration: float) -> Wild:
+    """Any delays, steps and channel, and hands, soft and stiff.
 
     Args:
         rng: randomness.
         users: how many.
         duration: of the run [s].
     """
-    return {
-        "delay": rng.uniform(0.0, 0.15, (users, users)) * (1.0 - np.eye(users)),
-        "steps": {"duration": duration, "random": {"low": 0.001, "high": float(rng.choice([0.001, 0.005, 0.03]))}},
-        "channel": {
+    return Wild(
+        delay=rng.uniform(0.0, 0.15, (users, users)) * (1.0 - np.eye(users)),
+        steps={"duration": duration, "random": {"low": 0.001, "high": float(rng.choice([0.001, 0.005, 0.03]))}},
+        channel={
             "jitter": {"kind": "exponential", "scale": float(rng.choice([0.0, 0.01, 0.05]))},
             "loss": float(rng.choice([0.0, 0.1, 0.7])),
             "burst": {"enter": float(rng.choice([0.0, 0.01])), "leave": 0.05},
@@ -36,7 +47,7 @@ def wild(rng: np.random.Generator, users: int, duration: float) -> dict[str, Any
             "reordering": 0.2,
             "reordering_delay": 0.04,
         },
-        "hands": [
+        hands=[
             {
                 "user": i + 1,
                 "stiffness": float(10.0 ** rng.uniform(1.0, 3.5)),
@@ -49,10 +60,10 @@ def wild(rng: np.random.Generator, users: int, duration: float) -> dict[str, Any
             }
             for i in range(users)
         ],
-    }
+    )
 
 
-def trial(number: int, law: str | Mapping[str, Any] = "spring") -> Scenario:
+def trial(number: int, law: str | Mapping[str, object] = "spring") -> Scenario:
     """Anything: users, springs, delays, rates, losses, hands, soft and stiff, an object that flies.
 
     Args:
@@ -61,7 +72,7 @@ def trial(number: int, law: str | Mapping[str, Any] = "spring") -> Scenario:
     """
     rng = np.random.default_rng((number, 18))
     users = int(rng.integers(2, 5))
-    tables = wild(rng, users, _LONG)
+    anything = wild(rng, users, _LONG)
     spring = np.zeros((users, users))
     for a in range(users):
         for b in range(a):
@@ -70,17 +81,19 @@ def trial(number: int, law: str | Mapping[str, Any] = "spring") -> Scenario:
         network={
             "users": [str(i) for i in range(users)],
             "spring": spring.tolist(),
-            "delay": tables.pop("delay").tolist(),
+            "delay": anything.delay.tolist(),
         },
         body={"mass": float(10 ** rng.uniform(-1, 1)), "stiffness": float(rng.choice([0.0, 30.0]))},
         synchronisation={"law": law},
         initial={"position": rng.uniform(-0.05, 0.05, users).tolist(), "velocity": rng.normal(size=users).tolist()},
         seed=number,
-        **tables,
+        steps=anything.steps,
+        channel=anything.channel,
+        hands=anything.hands,
     )
 
 
-def touching(number: int, law: str | Mapping[str, Any] = "paid") -> Scenario:
+def touching(number: int, law: str | Mapping[str, object] = "paid") -> Scenario:
     """Anything that tools do to a block: by hands alone or over devices, pressing, sliding, knocking, letting go.
 
     Two or three users, a block that stands or turns, on a floor or without weight, networks as in `trial` with up to
@@ -93,12 +106,12 @@ def touching(number: int, law: str | Mapping[str, Any] = "paid") -> Scenario:
     rng = np.random.default_rng((number, 388))
     users = int(rng.integers(2, 4))
     wide = wild(rng, users, 0.8)
-    wide["channel"]["loss"] = float(rng.uniform(0.0, 0.5))
+    wide.channel["loss"] = float(rng.uniform(0.0, 0.5))
     # As a rule near enough that tools work together; now and then not.
     near = float(rng.choice([0.05, 0.2, 1.0]))
     shape, spacing = rng.integers(2, 5, 3), float(rng.uniform(0.01, 0.03))
     size, radius = (shape - 1) * spacing, float(rng.uniform(0.4, 1.0)) * spacing
-    tools: list[dict[str, Any]] = []
+    tools: list[dict[str, object]] = []
     for k in range(int(rng.integers(1, users + 2))):
         axis, side = int(rng.integers(0, 3)), float(rng.choice([-1.0, 1.0]))
         at = rng.uniform(0.2, 0.8, 3) * size
@@ -127,7 +140,7 @@ def touching(number: int, law: str | Mapping[str, Any] = "paid") -> Scenario:
         network={
             "users": [str(i) for i in range(users)],
             "spring": (20.0 * (1.0 - np.eye(users))).tolist(),
-            "delay": (near * wide["delay"]).tolist(),
+            "delay": (near * wide.delay).tolist(),
         },
         body={
             "kind": "lattice",
@@ -139,8 +152,8 @@ def touching(number: int, law: str | Mapping[str, Any] = "paid") -> Scenario:
             "frame": str(rng.choice(["fixed", "floating"])),
         },
         world=floor if rng.random() < 0.5 else {},
-        steps=wide["steps"],
-        channel=wide["channel"],
+        steps=wide.steps,
+        channel=wide.channel,
         synchronisation={"law": law},
         tools=tools,
         seed=number,
@@ -195,7 +208,7 @@ _HAND, _PATH = 6, 6
 NUMBERS = 2 * _HAND + _PATH
 
 
-def users_at(place: Float, law: str | Mapping[str, Any], **options: Any) -> Scenario:
+def users_at(place: Float, law: str | Mapping[str, object], **options: object) -> Scenario:
     """Two users, their impedances, what they do, and the network between them.
 
     Args:
@@ -246,7 +259,7 @@ class Found:
     place: Float
 
 
-def searched(law: str | Mapping[str, Any], evaluations: int, *, seed: int = 18, **options: Any) -> Found:
+def searched(law: str | Mapping[str, object], evaluations: int, *, seed: int = 18, **options: object) -> Found:
     """Searches for two users, and a network, that get energy out of a law.
 
     Evenly at first, then near the best so far, and elsewhere once nothing better is found there. As long as nothing is

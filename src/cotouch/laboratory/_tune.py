@@ -1,17 +1,17 @@
 """Tuning: the same search for every law, on draws that do not count afterwards."""
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.errors import CotouchError
 from cotouch.interrupt import check
+from cotouch.laboratory._cell_tables import Setting, TuneCell, Tuned
 from cotouch.laboratory._ideal import Ideal, ideal
 from cotouch.laboratory._score import dangerous, measured, promises
 from cotouch.laboratory._study import HandKind, Study, tunable
-from cotouch.laboratory._tasks import Task
+from cotouch.laboratory._tasks import Hands
 from cotouch.laboratory._trials import books, wild
 from cotouch.network import Network
 from cotouch.simulation import prepare, with_hands
@@ -24,7 +24,7 @@ _CANDIDATES = 8
 _TRIED = 3.0
 
 
-def tune(cell: dict[str, Any]) -> dict[str, Any]:
+def tune(cell: TuneCell) -> Tuned:
     """The best setting of one law on one network, as multiples of what its parameters would be.
 
     A setting counts only if pushes die away, with the hands and with stiffer ones. What costs more than the best so far
@@ -42,7 +42,7 @@ def tune(cell: dict[str, Any]) -> dict[str, Any]:
     names, users, hand = tunable(law), study.users[0], study.hands[0]
     stiffer = HandKind(stiffness=study.stiffer * hand.stiffness, damping=hand.damping)
     count = len(study.tasks) * tuning.draws
-    wanted: dict[int, list[tuple[Task, Ideal]]] = {}
+    wanted: dict[int, list[tuple[Hands, Ideal]]] = {}
     for draw in range(-tuning.draws, 0):
         tasks = [study.task(name, users, hand, draw) for name in study.tasks]
         wanted[draw] = [(hands, ideal(study, hands)) for hands in tasks]
@@ -87,7 +87,7 @@ def tune(cell: dict[str, Any]) -> dict[str, Any]:
         if number >= tuning.search:
             step *= _LONGER if better else _SHORTER
     ranked = sorted((entry for entry in found if np.isfinite(entry[0])), key=lambda entry: entry[0])
-    settings: dict[str, Any] = {"published": published, "tuned": ranked[0][1] if ranked else None}
+    settings: dict[str, Setting | None] = {"published": published, "tuned": ranked[0][1] if ranked else None}
     costs = {"published": found[0][0], "tuned": ranked[0][0] if ranked else float("inf")}
     if tuning.safe:
         safe = next((entry for entry in ranked[:_CANDIDATES] if harmless(study, entry[1], tuning.safe)), None)
@@ -112,11 +112,14 @@ def harmless(study: Study, setting: Mapping[str, float], runs: int) -> bool:
         users = int(rng.integers(2, 5))
         scenario = study.scenario(law, sources, users, [], seed=number, setting=setting)
         spring = scenario.network.spring * _symmetric(10.0 ** rng.uniform(-0.5, 0.5, (users, users)))
-        tables = wild(rng, users, _TRIED)
-        names = scenario.network.users
-        network = Network(users=names, spring=spring, delay=tables.pop("delay"))
-        tables["hands"] = study.placed(tables["hands"], users)
-        if not books(prepare(scenario.replace(network=network, **tables))).kept:
+        anything = wild(rng, users, _TRIED)
+        changed = scenario.replace(
+            network=Network(users=scenario.network.users, spring=spring, delay=anything.delay),
+            steps=anything.steps,
+            channel=anything.channel,
+            hands=study.placed(anything.hands, users),
+        )
+        if not books(prepare(changed)).kept:
             return False
     return True
 

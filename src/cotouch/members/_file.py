@@ -2,9 +2,10 @@
 
 import hashlib
 import json
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
-from typing import Annotated, Any, Literal, Self, final
+from typing import Annotated, Literal, NamedTuple, Self, final
 
 import numpy as np
 from pydantic import Field, ValidationError, model_validator
@@ -170,16 +171,16 @@ class SessionFile:
             _take_law(tables, law)
         files: dict[str, bytes] = {}
         named: dict[str, str] = {}
-        for table in _with_file(tables):
-            name = PurePosixPath(table["file"]).name
-            if named.setdefault(name, table["file"]) != table["file"]:
+        for _, file in _with_file(tables):
+            name = PurePosixPath(file).name
+            if named.setdefault(name, file) != file:
                 raise SessionError(
-                    f'{source} names "{named[name]}" and "{table["file"]}"; files are sent without their folders, so '
+                    f'{source} names "{named[name]}" and "{file}"; files are sent without their folders, so '
                     "give them different names"
                 )
-            files[name] = read_bytes((folder or Path()) / table["file"], "file", SessionError, MOST_BYTES)
+            files[name] = read_bytes((folder or Path()) / file, "file", SessionError, MOST_BYTES)
         scenario, options = _made(tables, source, folder)
-        if "law" not in tables.get("synchronisation", {}):
+        if "law" not in (table_of(tables.get("synchronisation")) or {}):
             law = scenario.law[0]  # other versions may have another default
         described = {
             "format": _FORMAT,
@@ -199,8 +200,7 @@ class SessionFile:
         Raises:
             SessionError: it is none.
         """
-        described = _described(content)
-        return {name: bytes.fromhex(digest) for name, digest in described["files"].items()}
+        return _described(content).files
 
     @classmethod
     def from_content(cls, content: bytes, files: dict[str, bytes], *, folder: Path) -> "SessionFile":
@@ -212,13 +212,13 @@ class SessionFile:
             folder: an empty, private one, where its files are put to be read.
         """
         described = _described(content)
-        for name in described["files"]:
+        for name in described.files:
             (folder / name).write_bytes(files[name])
-        tables = _parsed(described["text"], "the session")
-        if described["law"] is not None:
-            _take_law(tables, described["law"])
-        for table in _with_file(tables):
-            table["file"] = PurePosixPath(table["file"]).name
+        tables = _parsed(described.text, "the session")
+        if described.law is not None:
+            _take_law(tables, described.law)
+        for table, file in _with_file(tables):
+            table["file"] = PurePosixPath(file).name
         scenario, options = _made(tables, "the session", folder)
         return cls(scenario, options, content, files)
 
@@ -258,54 +258,63 @@ class SessionFile:
         return max(members - 1, min(wanted, pairs))
 
 
-def _described(content: bytes) -> dict[str, Any]:
+class _Described(NamedTuple):
+    """What travels: TOML, the law if the text does not name it, and the SHA-256 of each file."""
+
+    text: str
+    law: str | None
+    files: dict[str, bytes]
+
+
+def _described(content: bytes) -> _Described:
     """What travelled, checked."""
-    try:
-        described = table_of(json.loads(content))
-        assert described is not None
-        files = table_of(described["files"])
-        assert files is not None
-        fine = described["format"] == _FORMAT and isinstance(described["text"], str)
-        fine = fine and isinstance(described["law"], str | None)
-        fine = fine and all(
-            isinstance(digest, str) and len(bytes.fromhex(digest)) == 32 and name == PurePosixPath(name).name
-            and name not in {"", ".", ".."} and "\\" not in name
-            for name, digest in files.items()
-        )  # fmt: skip
-    except (ValueError, KeyError, TypeError, AssertionError):
-        fine, described = False, {}
-    if not fine:
-        raise SessionError(
-            f"the session description cannot be read ({len(content)} bytes); it may be from another version"
-        )
-    return described
+    with suppress(ValueError, KeyError, TypeError):
+        described = table_of(json.loads(content)) or {}
+        text, law, files = described["text"], described["law"], table_of(described["files"])
+        same = described["format"] == _FORMAT
+        if same and isinstance(text, str) and isinstance(law, str | None) and files is not None:
+            return _Described(text, law, {name: _digest(name, said) for name, said in files.items()})
+    raise SessionError(f"the session description cannot be read ({len(content)} bytes); it may be from another version")
 
 
-def _parsed(text: str, source: str) -> dict[str, Any]:
+def _digest(name: str, said: object) -> bytes:
+    """SHA-256 of a file, whose name leads into no other folder.
+
+    Raises:
+        ValueError: it is none, or the name does.
+    """
+    found = bytes.fromhex(said) if isinstance(said, str) else b""
+    if len(found) != 32 or name != PurePosixPath(name).name or name in {"", ".", ".."} or "\\" in name:
+        raise ValueError(name)
+    return found
+
+
+def _parsed(text: str, source: str) -> dict[str, object]:
     return toml(text, source, SessionError)
 
 
-def _take_law(tables: dict[str, Any], law: str) -> None:
+def _take_law(tables: dict[str, object], law: str) -> None:
     """Gives the links another law, by its name, with the parameters that it has by itself."""
-    given = tables.get("synchronisation", {})
-    tables["synchronisation"] = {**given, "law": law} if isinstance(given, dict) else given
+    given = table_of(tables.get("synchronisation", {}))
+    if given is not None:
+        tables["synchronisation"] = {**given, "law": law}
 
 
-def _with_file(tables: dict[str, Any]) -> list[dict[str, Any]]:
-    """The tables that name a file: of a body, of each of several, of tools, of what stands still; of a trace."""
+def _with_file(tables: dict[str, object]) -> list[tuple[dict[str, object], str]]:
+    """The tables that name a file, which: of a body, each of several, tools, what stands still; of a trace."""
     around = list_of((table_of(tables.get("world")) or {}).get("meshes"))
     several = (*(list_of(tables.get("bodies")) or ()), *(list_of(tables.get("tools")) or ()))
     trace = (table_of(tables.get("channel")) or {}).get("trace")
     given = [tables.get("body"), *several, *(around or ()), trace]
     found = [table for one in given if (table := table_of(one)) is not None]
-    return [table for table in found if isinstance(table.get("file"), str)]
+    return [(table, file) for table in found if isinstance(file := table.get("file"), str)]
 
 
-def _made(tables: dict[str, Any], source: str, folder: Path | None) -> tuple[Scenario, SessionTable]:
+def _made(tables: dict[str, object], source: str, folder: Path | None) -> tuple[Scenario, SessionTable]:
     given = tables.get("session", {})
     tables = with_law_of_session({name: table for name, table in tables.items() if name != "session"}, given)
     try:
-        options = _Whole(session=given).session
+        options = _Whole.model_validate({"session": given}).session
     except ValidationError as error:
         raise SessionError(sentence(error, source)) from None
     users = options.users
@@ -322,8 +331,9 @@ def _made(tables: dict[str, Any], source: str, folder: Path | None) -> tuple[Sce
         tables["network"] = Network.from_table(tables["network"], source=source)
     else:
         raise SessionError(f"{source} has neither session.users nor [network]; give one of them")
-    for table in _with_file(tables) if folder is not None else ():
-        table["file"] = str(folder / table["file"])
+    if folder is not None:
+        for table, file in _with_file(tables):
+            table["file"] = str(folder / file)
     scenario = Scenario.make(source=source, **tables)
     _live(scenario, source)
     if options.emulate and folder is not None:

@@ -1,7 +1,6 @@
 """Which link laws a session may have."""
 
 from collections.abc import Mapping
-from typing import Any
 
 from cotouch.errors import ScenarioError
 from cotouch.laws import FORCE, law_named, laws
@@ -40,7 +39,7 @@ def check_live(name: str, what: str) -> None:
     )
 
 
-def check_codec(scenario: Scenario, session: Mapping[str, Any], source: str) -> None:
+def check_codec(scenario: Scenario, session: Mapping[str, object], source: str) -> None:
     """Refuses what a perceptual codec cannot serve live.
 
     Args:
@@ -66,7 +65,7 @@ def check_codec(scenario: Scenario, session: Mapping[str, Any], source: str) -> 
         )
 
 
-def check_law(scenario: Scenario, session: Mapping[str, Any], source: str) -> None:
+def check_law(scenario: Scenario, session: Mapping[str, object], source: str) -> None:
     """Refuses what a law cannot do live.
 
     Args:

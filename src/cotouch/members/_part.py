@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Final, Literal, final
+from typing import Final, Literal, final
 
 from pydantic import TypeAdapter, ValidationError
 
@@ -82,4 +82,4 @@ class PartOutcome:
     pace: Mapping[str, float]
     recorded: int | None
     trouble: str | None = None
-    device: Mapping[str, Any] | None = None
+    device: Mapping[str, object] | None = None

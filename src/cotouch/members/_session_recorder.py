@@ -4,11 +4,12 @@ Whatever the disk does, the copy goes on: an error ends the recording, and is to
 """
 
 from pathlib import Path
-from typing import Any, final
+from typing import final
 
 import numpy as np
 
 from cotouch import __version__
+from cotouch.arrays import Array
 from cotouch.errors import RecordingError
 from cotouch.members._file import SessionFile
 from cotouch.members._neighbour import Neighbour
@@ -171,7 +172,7 @@ class SessionRecorder:
             },
         )
 
-    def _books(self, held: list[Neighbour], ledger: list[GuardLedger]) -> dict[str, Any]:
+    def _books(self, held: list[Neighbour], ledger: list[GuardLedger]) -> dict[str, Array]:
         """What the ends' guards say of their energy; of a law, what went over its links."""
         if self._law is None:
             return {name: np.array([getattr(book, field) for book in ledger]) for name, field in _LEDGER}
@@ -183,7 +184,7 @@ class SessionRecorder:
         """Whether there is a recording yet; what happens before it is not noted."""
         return self._recorder is not None
 
-    def event(self, kind: str, time: float, **fields: Any) -> None:
+    def event(self, kind: str, time: float, **fields: object) -> None:
         """Something happened.
 
         Args:

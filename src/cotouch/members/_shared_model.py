@@ -4,7 +4,7 @@ import hashlib
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, cast, final
+from typing import Any, Literal, cast, final
 
 import numpy as np
 
@@ -142,7 +142,7 @@ def same_body(one: list[float], other: list[float]) -> bool:
     return a.shape == b.shape and bool(np.allclose(a, b, rtol=_SAME, atol=_SAME * float(np.abs(a).max(initial=0.0))))
 
 
-def _basis(scenario: Scenario, body: Body) -> Any:
+def _basis(scenario: Scenario, body: Body) -> Literal["auto", "nodal", "modal"]:
     """Modes of different machines may differ in sign, so rows are nodes unless the file says otherwise."""
     request = scenario.solver.basis
     return "nodal" if request == "auto" and body.truncation is None else request

@@ -1,6 +1,6 @@
 """Whom a copy tells what it does."""
 
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from cotouch.peer import StepReport
 
@@ -41,7 +41,7 @@ class StepRecorder(Protocol):
         """
         ...
 
-    def event(self, kind: str, time: float, **fields: Any) -> None:
+    def event(self, kind: str, time: float, **fields: object) -> None:
         """Something happened.
 
         Args:

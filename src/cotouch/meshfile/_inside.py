@@ -8,7 +8,7 @@ import warnings
 from collections.abc import Generator
 from pathlib import Path
 from types import ModuleType
-from typing import Any, BinaryIO, Final
+from typing import BinaryIO, Final
 
 import numpy as np
 
@@ -139,7 +139,7 @@ def _quiet(path: Path) -> Generator[None]:
     except (BodyError, MemoryError):
         raise
     except (SystemExit, Exception) as error:
-        reason: Any = " ".join(str(error).split())
+        reason = " ".join(str(error).split())
         if isinstance(error, KeyError):
             reason = f"it has no {reason}"
         if isinstance(error, RecursionError):

@@ -5,6 +5,7 @@ from typing import Any, BinaryIO, Final
 
 import numpy as np
 
+from cotouch.arrays import Array
 from cotouch.meshfile._mesh import Mesh
 
 _MOST_HEAD: Final = 4 << 20
@@ -65,7 +66,7 @@ def receive(stream: BinaryIO, width: int, most: int) -> Mesh | str:
     return Mesh(points=places, elements=elements, sets=named, notes=notes)
 
 
-def _array(stream: Any, shape: tuple[int, ...], kind: str) -> Any:
+def _array(stream: Any, shape: tuple[int, ...], kind: str) -> Array:
     array = np.empty(shape, dtype=kind)
     if array.size and stream.readinto(array.data.cast("B")) != array.nbytes:
         raise ValueError("it is no answer")

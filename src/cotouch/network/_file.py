@@ -24,18 +24,19 @@ def read_table(path: Path) -> Mapping[str, object]:
     return table
 
 
-def arguments(table: Mapping[str, object], source: str) -> dict[str, object]:
+def arguments(given: object, source: str) -> dict[str, object]:
     """Arguments of the constructor from a table, with links counted from 0.
 
     Args:
-        table: as read.
+        given: the table as read.
         source: what messages call the file.
 
     Raises:
         NetworkError: a key is unknown or missing, or `links` is not a list of pairs of whole numbers.
     """
-    if not isinstance(table, Mapping):  # pyright: ignore[reportUnnecessaryIsInstance]
-        raise NetworkError(f"{source}: network is {table!r}; it must be a table with {', '.join(_REQUIRED)}")
+    if not isinstance(given, Mapping):
+        raise NetworkError(f"{source}: network is {given!r}; it must be a table with {', '.join(_REQUIRED)}")
+    table = cast("Mapping[str, object]", given)
     for key in table:
         if key not in _REQUIRED + _OPTIONAL:
             raise NetworkError(

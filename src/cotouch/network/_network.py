@@ -2,7 +2,7 @@
 
 import dataclasses
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from html import escape
 from pathlib import Path
@@ -102,15 +102,15 @@ class Network:
         return cls.from_table(_file.read_table(Path(path)), source=str(path))
 
     @classmethod
-    def from_table(cls, table: Mapping[str, object], *, source: str = "[network]") -> Self:
+    def from_table(cls, table: object, *, source: str = "[network]") -> Self:
         """Makes a network from the contents of a `[network]` table, as `read` finds it in a file.
 
         Args:
-            table: keys as in `read`; users in `links` are numbered from 1.
+            table: mapping with keys as in `read`; users in `links` are numbered from 1.
             source: where the table came from, for messages.
 
         Raises:
-            NetworkError: an unknown or missing key, or anything that the constructor rejects.
+            NetworkError: no mapping, an unknown or missing key, or anything that the constructor rejects.
         """
         arguments = _file.arguments(table, source)
         try:

@@ -7,11 +7,11 @@ import math
 import threading
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple, TypeAlias, final
+from typing import NamedTuple, TypeAlias, final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Array
 from cotouch.errors import InputError
 from cotouch.mailbox import MailboxReader, MailboxWriter
 from cotouch.members import SessionFile
@@ -46,7 +46,7 @@ class _Own:
     name: str
     orders: MailboxWriter
     view: MailboxReader | None = None
-    fields: dict[str, npt.NDArray[Any]] | None = None
+    fields: dict[str, Array] | None = None
     shown: CopyView | None = None
 
 
@@ -266,7 +266,7 @@ class CommandClient:
             own.shown = _copy(fields) if fields["slot"] >= 0 and fields["step"] > 0 else None
 
 
-def _copy(fields: Mapping[str, npt.NDArray[Any]]) -> CopyView:
+def _copy(fields: Mapping[str, Array]) -> CopyView:
     ledger = dict(zip(LEDGER_COLUMNS, fields["ledger"].tolist(), strict=True))
     hands = tuple(
         HandView(
@@ -296,7 +296,7 @@ def _copy(fields: Mapping[str, npt.NDArray[Any]]) -> CopyView:
     )
 
 
-def _ghosts(own: CopyView, fields: Mapping[str, npt.NDArray[Any]], shown: dict[int, CopyView]) -> None:
+def _ghosts(own: CopyView, fields: Mapping[str, Array], shown: dict[int, CopyView]) -> None:
     """Adds what a member knows of others that nobody knows better."""
     for slot in np.flatnonzero(fields["known"]).tolist():
         time = own.time - float(fields["ages"][slot])

@@ -5,7 +5,7 @@ made of these models by `page/messages.py`, and a test holds them to each other.
 """
 
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal, Self, cast, final
+from typing import Annotated, Literal, Self, cast, final
 
 from pydantic import BaseModel, ConfigDict, Field, Strict, TypeAdapter, ValidationError, model_validator
 
@@ -225,7 +225,7 @@ Doable = Literal["hand", "impair", "cut", "kill", "revive", "expel", "links", "d
 COMMANDS: TypeAdapter[Command] = TypeAdapter(Annotated[Command, Field(discriminator="what")])
 
 
-def read_command(given: Mapping[str, Any]) -> Command:
+def read_command(given: Mapping[str, object]) -> Command:
     """A command from its parts, as JSON has them.
 
     Args:
@@ -240,7 +240,7 @@ def read_command(given: Mapping[str, Any]) -> Command:
         raise SessionError(_sentence(error, given)) from None
 
 
-def _sentence(error: ValidationError, given: Mapping[str, Any]) -> str:
+def _sentence(error: ValidationError, given: Mapping[str, object]) -> str:
     """What is wrong first, and what would be right."""
     first = error.errors(include_url=False)[0]
     models = {model.model_fields["what"].default: model for model in _models()}

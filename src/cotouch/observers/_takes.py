@@ -2,11 +2,11 @@
 
 from collections.abc import Callable
 from threading import Thread
-from typing import Any, final
+from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
+from cotouch.arrays import Array
 from cotouch.errors import RecordingError
 from cotouch.members import Replica, SessionRecorder
 from cotouch.observers._mailboxes import TROUBLE
@@ -24,7 +24,7 @@ class Takes:
     """
 
     def __init__(
-        self, fields: dict[str, npt.NDArray[Any]], publish: Callable[[], None], make: Callable[[int], SessionRecorder]
+        self, fields: dict[str, Array], publish: Callable[[], None], make: Callable[[int], SessionRecorder]
     ) -> None:
         """Nothing is recorded yet.
 

@@ -1,12 +1,11 @@
 """A member's side of its mailboxes: what it shows after every step, and what it is told before one."""
 
 from dataclasses import replace
-from typing import Any, Protocol, final
+from typing import Protocol, final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float, Long, Single
+from cotouch.arrays import Array, Float, Long, Single
 from cotouch.mailbox import MailboxReader, MailboxWriter
 from cotouch.mechanics import Model
 from cotouch.members import Replica, SessionFile, SessionRecorder, SharedModel, StepRecorder, path_laws
@@ -48,7 +47,7 @@ class Emulator(Protocol):
 class VisibleHand(Protocol):
     """A hand that can be seen."""
 
-    def show(self, fields: dict[str, npt.NDArray[Any]]) -> None:
+    def show(self, fields: dict[str, Array]) -> None:
         """Writes what it does into a mailbox's fields; see `view_fields`."""
         ...
 
@@ -220,7 +219,7 @@ class TelemetryPublisher:
             self._count, self._moved = 0, False
             self._show(copy, report, now, T)
 
-    def event(self, kind: str, time: float, **fields: Any) -> None:
+    def event(self, kind: str, time: float, **fields: object) -> None:
         """Something happened.
 
         Args:

@@ -11,12 +11,11 @@ no more than single precision has, towards zero; rates are guesses that both end
 """
 
 from dataclasses import dataclass
-from typing import Any, final
+from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Array, Float
 from cotouch.laws import Law
 
 # First byte: a content in full numbers, one in steps of the quantum; between them, since how many steps it goes on.
@@ -258,7 +257,7 @@ def _guess(rates: Float) -> Float:
 def _towards_zero(values: Float, form: str) -> Float:
     """Values as fewer digits say them, never larger than they are."""
     with np.errstate(all="ignore"):
-        said: npt.NDArray[Any] = values.astype(form)
+        said: Array = values.astype(form)
         over = np.abs(said.astype(np.float64)) > np.abs(values)
         said[over] = np.nextafter(said[over], said.dtype.type(0.0))
         return said.astype(np.float64)

@@ -6,6 +6,7 @@ from cotouch.planning._deadline import until, worked
 from cotouch.planning._early import FirstChoice, first_choice
 from cotouch.planning._figures import knee, networks, ranks
 from cotouch.planning._joint import FIRST, Joint, JointInterrupted, plan_springs
+from cotouch.planning._options import PlanOptions, ProblemOptions
 from cotouch.planning._plan import PlanInterrupted, Progress, plan
 from cotouch.planning._problem import Lost, Objective
 from cotouch.planning._ready import compiles
@@ -27,6 +28,8 @@ __all__ = [
     "Objective",
     "Plan",
     "PlanInterrupted",
+    "PlanOptions",
+    "ProblemOptions",
     "Progress",
     "Status",
     "Survey",

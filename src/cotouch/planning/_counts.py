@@ -3,13 +3,14 @@
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import Any, final
+from typing import Unpack, final
 
 import numpy as np
 
 from cotouch.errors import NetworkError
 from cotouch.interrupt import interruptible
 from cotouch.network import Network
+from cotouch.planning._options import PlanOptions
 from cotouch.planning._plan import PlanInterrupted, Progress, plan
 from cotouch.planning._result import Plan
 
@@ -33,7 +34,7 @@ class LinkCounts:
     best: Plan
     knee: Plan
 
-    def numbers(self) -> dict[str, Any]:
+    def numbers(self) -> dict[str, object]:
         """For JSON: the best plan, with what the other numbers of links give."""
         return self.best.numbers() | {
             "knee": len(self.knee.best.links),
@@ -70,7 +71,7 @@ def plan_counts(
     seconds: float | None = None,
     clock: Callable[[], float] = time.monotonic,
     progress: Progress | None = None,
-    **options: Any,
+    **options: Unpack[PlanOptions],
 ) -> LinkCounts:
     """Plans with each of several numbers of links. **Beyond** the paper, which is given one.
 
@@ -98,9 +99,8 @@ def plan_counts(
     for place, count in enumerate(counts):
         left = None if seconds is None else max((seconds - clock() + begun) / (len(counts) - place), 1e-3)
         try:
-            begin = plans[-1].best.links if plans else ()
-            more: dict[str, Any] = {"begin": begin, "clock": clock, "progress": progress} | options
-            plans.append(plan(network, links=count, seconds=left, **more))
+            more: PlanOptions = {"begin": plans[-1].best.links if plans else (), **options}
+            plans.append(plan(network, links=count, seconds=left, clock=clock, progress=progress, **more))
         except NetworkError as error:
             refused = refused or error
         except PlanInterrupted as interrupted:

@@ -2,14 +2,16 @@
 
 import itertools
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, final
+from typing import Unpack, final
 
 import numpy as np
 from scipy.sparse.csgraph import connected_components
 
 from cotouch.arrays import Float, Long
 from cotouch.network import Network, Pair, generator_eigenvalues
+from cotouch.planning._options import ProblemOptions
 from cotouch.planning._problem import Problem, make_problem
 from cotouch.planning._task import CONSENSUS, DAMPING, DECAY, DRAG, FEEL, LOST_LINK, LOST_USER, NOTHING, Task
 
@@ -39,7 +41,9 @@ class FirstChoice:
     tried: int
 
 
-def first_choice(network: Network, *, links: int, seed: int = 0, **options: Any) -> FirstChoice | None:
+def first_choice(
+    network: Network, *, links: int, seed: int = 0, **options: Unpack[ProblemOptions]
+) -> FirstChoice | None:
     """A fair choice of links within seconds, on a machine where nothing is compiled yet.
 
     Few choices of few users are ranked by their decay; networks about hubs by the real root that they would have with
@@ -76,7 +80,7 @@ def first_choice(network: Network, *, links: int, seed: int = 0, **options: Any)
     return FirstChoice(problem.pairs(best), _value(task, best), tried)
 
 
-def _candidates(problem: Problem, rng: np.random.Generator) -> "Any":
+def _candidates(problem: Problem, rng: np.random.Generator) -> Iterator[Long]:
     task = problem.task
     if problem.choices <= _ALL:
         for picked in itertools.combinations(task.free.tolist(), task.pick):

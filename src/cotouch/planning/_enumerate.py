@@ -13,6 +13,7 @@ from cotouch.interrupt import check
 from cotouch.planning._judge import between
 from cotouch.planning._problem import Problem
 from cotouch.planning._task import CONSENSUS, Task, admissible, period_of, rate
+from cotouch.planning._workers import Parallel
 
 # Stretches long enough to hide their start, short enough to share and to stop between. They depend on the problem
 # alone, so that the result doesn't depend on the machine.
@@ -243,7 +244,7 @@ def merged(parts: Sequence[Found], top: int) -> Found:
     )
 
 
-def enumerated(problem: Problem, top: int, parallel: Any, jobs: int) -> Generator[Found]:
+def enumerated(problem: Problem, top: int, parallel: Parallel, jobs: int) -> Generator[Found]:
     """Looks at every choice and yields what is known so far, again and again.
 
     Args:

@@ -17,6 +17,7 @@ from cotouch.units import user_number
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from matplotlib.typing import ColorType
 
 
 _GOOD, _BAD, _OTHER = drawing.USERS[2], drawing.USERS[1], drawing.USERS[0]
@@ -59,7 +60,7 @@ def networks(cases: Sequence[tuple[str, Network]]) -> "Figure":
     colors = LinearSegmentedColormap.from_list("trips", [drawing.USERS[0], "#9a6f9c", drawing.USERS[1]])
     norm = LogNorm(quickest, slowest) if several else None
 
-    def color(seconds: float) -> Any:
+    def color(seconds: float) -> "ColorType":
         return drawing.USERS[0] if norm is None else colors(float(norm(max(seconds / unit, quickest))))
 
     with drawing.style():
@@ -236,7 +237,7 @@ def knee(
     return figure
 
 
-def _course(panel: "Axes", name: str, count: Float, values: Float, sure: Bool, color: Any, chosen: int | None) -> None:
+def _course(panel: "Axes", name: str, count: Float, values: Float, sure: Bool, color: str, chosen: int | None) -> None:
     """One quantity over the numbers of links."""
     panel.plot(count, values, "-", color=color)
     for known, face in ((True, color), (False, drawing.SURFACE)):

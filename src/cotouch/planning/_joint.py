@@ -176,7 +176,7 @@ def _springs(network: Network) -> tuple[float, float]:
 
 
 def _swaps(
-    network: Network, chosen: tuple[Pair, ...], needed: set[Any], barred: set[Any], most: int | None
+    network: Network, chosen: tuple[Pair, ...], needed: set[Pair], barred: set[Pair], most: int | None
 ) -> Iterator[tuple[Pair, ...]]:
     """Choices one link away that connect all users, quickest way first."""
     every = network.with_links(None).links

@@ -23,6 +23,7 @@ from cotouch.planning._problem import Problem
 from cotouch.planning._referral import referred
 from cotouch.planning._starts import SMALL, side_by_side, start_of
 from cotouch.planning._task import DAMPING, DECAY, Task, admissible, rate
+from cotouch.planning._workers import Parallel
 
 # Swaps of a walk between looks at the clock: so many over the cube of the number of users, and at least; and how many
 # that are turned down by real roots take as long as one that is not.
@@ -332,7 +333,7 @@ def walked(
     starts: int,
     seed: int,
     begin: Begin,
-    parallel: Any,
+    parallel: Parallel,
     closing: Callable[[], bool] = lambda: False,
     ending: Flag | None = None,
 ) -> Generator[Walk]:

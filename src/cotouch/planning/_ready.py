@@ -1,7 +1,7 @@
 """Whether a search compiles first, and what it compiles then."""
 
 from collections.abc import Callable
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
@@ -28,7 +28,7 @@ def compiles(method: Literal["auto"] | Method = "auto", objective: Objective = "
         method: as `plan` takes it; "auto" counts as "enumerate".
         objective: likewise.
     """
-    needed: list[Any] = [sweep] if method in ("auto", "enumerate") else [swaps, admissible, rate]
+    needed: list[Callable[..., object]] = [sweep] if method in ("auto", "enumerate") else [swaps, admissible, rate]
     if method == "bound":  # a local search takes it only where limits are so tight that no walk begins
         needed.append(descend)
     if method == "local" and objective in _MOVING:

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal, TypeAlias, final
+from typing import Literal, TypeAlias, final
 
 import numpy as np
 import scipy.sparse
@@ -48,7 +48,7 @@ class Choice:
     worst_path_s: float
     period: int
 
-    def numbers(self, users: Sequence[str]) -> dict[str, Any]:
+    def numbers(self, users: Sequence[str]) -> dict[str, object]:
         """For JSON, with links between these names."""
         return {
             "links": [[users[a], users[b]] for a, b in self.links],
@@ -108,7 +108,7 @@ class Plan:
     bound: float | None = None
     bound_by: str = ""
 
-    def numbers(self) -> dict[str, Any]:
+    def numbers(self) -> dict[str, object]:
         """For JSON; users go by their names."""
         return {
             "users": list(self.users),

@@ -10,7 +10,7 @@ import itertools
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, final
+from typing import final
 
 import numpy as np
 import scipy.optimize
@@ -303,7 +303,7 @@ class Search:
         lowered = np.hstack([program.slopes / unit, -np.ones((len(program.rates), 1))])
         limited = np.hstack([taken, np.zeros((len(taken), 1))])
         joined = np.hstack([program.parting / square, np.zeros((len(program.apart), 1))])
-        done: Any = scipy.optimize.linprog(
+        done = scipy.optimize.linprog(
             np.append(np.zeros(size), 1.0),
             A_ub=np.vstack([lowered, limited, joined]),
             b_ub=np.concatenate([-program.rates / unit, np.maximum(1.0 - used, 0.0), -program.apart / square[:, 0]]),

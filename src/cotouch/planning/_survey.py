@@ -1,8 +1,8 @@
 """Every choice of links under several objectives, side by side."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, final
+from typing import Unpack, final
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from cotouch.errors import NetworkError
 from cotouch.interrupt import check, interruptible
 from cotouch.network import Network, Pair
 from cotouch.planning._enumerate import chosen_at, values_of
+from cotouch.planning._options import ProblemOptions
 from cotouch.planning._problem import Problem, make_problem
 from cotouch.planning._result import shown
 
@@ -37,7 +38,9 @@ class Survey:
 
 
 @interruptible
-def survey(network: Network, *, links: int, objectives: dict[str, dict[str, Any]], **options: Any) -> Survey:
+def survey(
+    network: Network, *, links: int, objectives: Mapping[str, ProblemOptions], **options: Unpack[ProblemOptions]
+) -> Survey:
     """Works out several objectives of every connected choice of links.
 
     Args:
@@ -55,7 +58,8 @@ def survey(network: Network, *, links: int, objectives: dict[str, dict[str, Any]
     graphs: tuple[tuple[Pair, ...], ...] = ()
     choices = 0
     for name, own in objectives.items():
-        problem = make_problem(network, links=links, **options | own)
+        asked: ProblemOptions = {**options, **own}
+        problem = make_problem(network, links=links, **asked)
         choices = problem.choices
         if choices > _MOST:
             raise NetworkError(f"there are {choices} choices of {links} links; at most {_MOST} can be shown together")

@@ -9,6 +9,8 @@ from cotouch.errors import UnsupportedError
 from cotouch.interrupt import check
 
 Call: TypeAlias = tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]
+# Does calls made by `joblib.delayed` and gives their results in order.
+Parallel: TypeAlias = Callable[[Iterable[Call]], list[Any]]
 
 # A scheduler is given so long to answer, and to have workers; and so long is waited for new ones once all are lost [s].
 _ANSWER, _PATIENCE = 10.0, 5.0
@@ -24,7 +26,7 @@ class Workers:
         jobs: how many things are done at once.
     """
 
-    def __init__(self, parallel: Callable[[Iterable[Call]], list[Any]], jobs: int) -> None:
+    def __init__(self, parallel: Parallel, jobs: int) -> None:
         """Takes up who works."""
         self.parallel = parallel
         self.jobs = jobs
@@ -46,7 +48,7 @@ class Cluster:
     def __init__(
         self,
         client: Any,
-        here: Callable[[Iterable[Call]], list[Any]],
+        here: Parallel,
         *,
         patience: float = _PATIENCE,
         clock: Callable[[], float] = time.monotonic,

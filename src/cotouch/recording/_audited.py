@@ -1,7 +1,7 @@
 """What an audit says: every user's energy, every link's, what is not accounted for, and the verdict in words."""
 
 from dataclasses import dataclass
-from typing import Any, final
+from typing import final
 
 from cotouch.arrays import Float
 from cotouch.recording._findings import AuditFinding
@@ -114,7 +114,7 @@ class Audit:
         partly = "" if self.complete else ", as far as recorded"
         return f"Holds{partly}: every step's energy is explained to {self.tolerance:.2g} J, and {least}."
 
-    def numbers(self) -> dict[str, Any]:
+    def numbers(self) -> dict[str, object]:
         """Everything but the series, for JSON; users numbered from 1."""
         return {
             "holds": self.holds,

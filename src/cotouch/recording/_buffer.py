@@ -2,12 +2,12 @@
 
 import struct
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, final
+from typing import TYPE_CHECKING, NamedTuple, final
 
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.arrays import Float, Long
+from cotouch.arrays import Array, Float, Long
 from cotouch.peer import LinkState
 from cotouch.recording._columns import CLOSING, SCALARS, UNSAID, Batch
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from cotouch.mechanics import State, Tools
     from cotouch.peer import StepReport
 
-Extra = Mapping[str, float | Sequence[float] | npt.NDArray[Any]]
+Extra = Mapping[str, float | Sequence[float] | Array]
 
 
 class Extents(NamedTuple):
@@ -176,7 +176,7 @@ class Buffer:
     def batch(self) -> Batch:
         """What is in it, as columns; views, to be packed before the buffer is used again."""
         n, m, axes = self.count, self.states, self.extents.axes
-        columns: dict[str, npt.NDArray[Any]] = dict(zip(SCALARS, self._scalars[:n].T, strict=True))
+        columns: dict[str, Array] = dict(zip(SCALARS, self._scalars[:n].T, strict=True))
         columns["index"] = columns["index"].astype(np.int64)
         columns["iterations"] = columns["iterations"].astype(np.int32)
         columns["force"] = self._force[:n, :, :axes]

@@ -1,14 +1,13 @@
 """Recordings as one `xarray.Dataset`, with the names and units of a simulated run."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Array, Float
 from cotouch.errors import RecordingError
 from cotouch.files import write_netcdf
 from cotouch.peer import LinkState
@@ -22,6 +21,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
+# Fills a variable: its name, dimensions, values by user or direction, unit and meaning.
+_Put: TypeAlias = Callable[[str, tuple[str, ...], Sequence[tuple[int, Array]], str, str], None]
 _AXES = ("x", "y", "z")
 # Energies that a run has as sums so far, and a recording step by step.
 _SUMS = {
@@ -93,9 +94,9 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
     start = min(begins)
     users = len(recordings)
     records = 1 + max(recording.steps for recording in recordings)
-    data: dict[str, tuple[tuple[str, ...], Any, dict[str, str]]] = {}
+    data: dict[str, tuple[tuple[str, ...], Array, dict[str, str]]] = {}
 
-    def put(name: str, dims: tuple[str, ...], parts: Sequence[tuple[int, Any]], unit: str, text: str) -> None:
+    def put(name: str, dims: tuple[str, ...], parts: Sequence[tuple[int, Array]], unit: str, text: str) -> None:
         """Fills what each user (or direction) has into a column padded with NaN."""
         extents = np.max([np.shape(values)[1:] for _, values in parts], axis=0).astype(int)
         length = records if dims[1] == "step" else max(len(values) for _, values in parts)
@@ -213,7 +214,7 @@ def save_dataset(run: "xr.Dataset", path: str | Path) -> None:
     write_netcdf(run, path, "recordings")
 
 
-def _shifted(values: npt.NDArray[Any]) -> Float:
+def _shifted(values: Array) -> Float:
     """With a row of NaN for the state before the first step."""
     return np.concatenate([np.full((1, *values.shape[1:]), np.nan), values])
 
@@ -227,7 +228,7 @@ def _force(recording: Recording) -> Float:
     return force.sum(axis=1) if force.shape[1] else np.zeros((force.shape[0], axes))
 
 
-def _states(recordings: Sequence[Recording], times: Sequence[Float], put: Any) -> None:
+def _states(recordings: Sequence[Recording], times: Sequence[Float], put: _Put) -> None:
     every = all(recording.states["state_row"].size == recording.steps for recording in recordings)
     dims = ("user", "step" if every else "state", "node", "axis")
     places, rates, moments = list[tuple[int, Float]](), list[tuple[int, Float]](), list[tuple[int, Float]]()
@@ -250,7 +251,7 @@ def _states(recordings: Sequence[Recording], times: Sequence[Float], put: Any) -
             put("state_time", ("user", "state"), moments, "s", "end of the step whose state is recorded")
 
 
-def _attributes(recordings: Sequence[Recording], users: int, start: float) -> dict[str, Any]:
+def _attributes(recordings: Sequence[Recording], users: int, start: float) -> dict[str, object]:
     first = recordings[0]
     return {
         "title": str(first.header.configuration.get("title", "")) or "cotouch session",

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any, Final, cast, final
 
 import numpy as np
-import numpy.typing as npt
 from mcap.records import ChunkIndex
 from mcap.writer import CompressionType, Writer
 
+from cotouch.arrays import Array
 from cotouch.errors import RecordingError
 from cotouch.recording._columns import Batch, description, pack
 from cotouch.recording._disk import NewFile
@@ -25,7 +25,7 @@ BODY: Final = "body.npz"
 STEPS, EVENTS, LEDGER = "/steps", "/events", "/ledger"
 ENCODING: Final = "cotouch-columns"
 
-_EVENT_SCHEMA: dict[str, Any] = {
+_EVENT_SCHEMA: dict[str, object] = {
     "type": "object",
     "title": "cotouch.Event",
     "properties": {
@@ -39,7 +39,7 @@ _EVENT_SCHEMA: dict[str, Any] = {
     "required": ["kind", "time", "first"],
 }
 _NUMBER = {"type": "number"}
-_LEDGER_SCHEMA: dict[str, Any] = {
+_LEDGER_SCHEMA: dict[str, object] = {
     "type": "object",
     "title": "cotouch.Ledger",
     "description": "sums over one batch of steps; energies in J, times in s",
@@ -206,15 +206,15 @@ class RecordingFile:
                 with contextlib.suppress(OSError):
                     self._indices.close()
 
-    def _json_channel(self, topic: str, schema: dict[str, Any]) -> int:
-        number = self._writer.register_schema(schema["title"], "jsonschema", json.dumps(schema).encode())
+    def _json_channel(self, topic: str, schema: dict[str, object]) -> int:
+        number = self._writer.register_schema(str(schema["title"]), "jsonschema", json.dumps(schema).encode())
         return self._writer.register_channel(topic, "json", number)
 
     def _ns(self, time: float) -> int:
         return max(0, round((time + self._offset) * 1e9))
 
 
-def _ledger(batch: Batch) -> dict[str, Any]:
+def _ledger(batch: Batch) -> dict[str, object]:
     columns = batch.columns
     lost = sum(float(columns[name].sum()) for name in ("body_loss", "local_loss", "extra_loss", "touch_loss", "cut"))
     stored = sum(float(columns[name][-1]) for name in ("kinetic", "elastic", "proxy", "touch_stored"))
@@ -239,7 +239,7 @@ def _ledger(batch: Batch) -> dict[str, Any]:
     }
 
 
-def _plain(value: object) -> Any:
+def _plain(value: object) -> object:
     if isinstance(value, np.ndarray | np.generic):
-        return cast("npt.NDArray[Any]", value).tolist()
+        return cast("Array", value).tolist()
     return str(value)

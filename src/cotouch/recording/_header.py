@@ -39,7 +39,7 @@ class RecordHeader:
     name: str = ""
     key: str = ""
     session: str = ""
-    configuration: Mapping[str, Any] = field(default_factory=dict[str, Any])
+    configuration: Mapping[str, object] = field(default_factory=dict[str, object])
     body_hash: str = ""
     version: str = ""
     columns: Mapping[str, tuple[str, str]] = field(default_factory=dict[str, tuple[str, str]])

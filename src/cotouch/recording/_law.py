@@ -1,7 +1,7 @@
 """What a session's link law made of it, from the recordings of its users."""
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -29,7 +29,7 @@ class LawLedger(NamedTuple):
     on_the_way: float | None
     drag: float | None
 
-    def numbers(self) -> dict[str, Any]:
+    def numbers(self) -> dict[str, object]:
         """For JSON."""
         return {"name": self.name, "on_the_way_j": self.on_the_way, "felt_drag_ns_m": self.drag}
 

@@ -5,9 +5,10 @@ from dataclasses import fields
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
+import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Bool, Float
+from cotouch.arrays import Array, Bool, Float
 from cotouch.body import Body, Material, Skin, SumOfSquares, grip_shares
 from cotouch.errors import BodyError
 from cotouch.recording._outside import Outside
@@ -38,7 +39,7 @@ class RecordedMaterial:
         between: what its parts do to each other, of several bodies.
     """
 
-    def __init__(self, body: Body, world: Mapping[str, Any] | None = None, between: "Between | None" = None) -> None:
+    def __init__(self, body: Body, world: Mapping[str, Array] | None = None, between: "Between | None" = None) -> None:
         """Takes a body.
 
         Args:
@@ -97,7 +98,7 @@ class RecordedMaterial:
             made.append(Obstacle(shape=given, **numbers))
         return made
 
-    def arrays(self) -> dict[str, Any]:
+    def arrays(self) -> dict[str, Array]:
         """All of it, by name."""
         if self.body.parts:
             found = parts_arrays(self.body, self.between, lambda one: RecordedMaterial(one)._own(skin=True))
@@ -109,9 +110,9 @@ class RecordedMaterial:
             return found | {_PREFIX + _WORLD + name: values for name, values in self.world.items()}
         return self._own(skin=bool(self.world) or self.body.rigid)
 
-    def _own(self, *, skin: bool) -> dict[str, Any]:
+    def _own(self, *, skin: bool) -> dict[str, Array]:
         """Of one body."""
-        found: dict[str, Any] = {}
+        found: dict[str, Array] = {}
         for name in (*_INNER, *_OUTER):
             found |= {f"{_PREFIX}{name}_{part}": getattr(getattr(self.body, name), part) for part in _PARTS}
         found |= {_PREFIX + field.name: np.asarray(getattr(self.material, field.name)) for field in _FIELDS}
@@ -124,7 +125,7 @@ class RecordedMaterial:
         return found
 
     @classmethod
-    def of_arrays(cls, arrays: Mapping[str, Any], rest: Float) -> "RecordedMaterial | None":
+    def of_arrays(cls, arrays: Mapping[str, Array], rest: Float) -> "RecordedMaterial | None":
         """The inverse of `arrays`; None where there is none. A body checks what it is made of.
 
         Args:
@@ -322,7 +323,7 @@ def _deepest(world: "Around", memory: Float, x: Float) -> float:
     return most if world.bodies is None else max(most, deepest_between(world, world.bodies, memory, x)[0])
 
 
-def _world_of(arrays: Mapping[str, Any]) -> dict[str, Any]:
+def _world_of(arrays: Mapping[str, Array]) -> dict[str, Array]:
     """What stands around a body."""
     if _PREFIX + _WORLD + "kind" not in arrays:
         return {}
@@ -333,17 +334,17 @@ def _world_of(arrays: Mapping[str, Any]) -> dict[str, Any]:
     return world | {name: np.asarray(arrays[_PREFIX + _WORLD + name]) for name in NAMES if _has(arrays, name)}
 
 
-def _has(arrays: Mapping[str, Any], name: str) -> bool:
+def _has(arrays: Mapping[str, Array], name: str) -> bool:
     return _PREFIX + _WORLD + name in arrays
 
 
-def _number(said: Any) -> float | Float:
+def _number(said: Array) -> float | Float:
     """One for all elements, or one for each."""
     numbers = np.asarray(said, dtype=np.float64)
     return numbers if numbers.ndim else float(numbers)
 
 
-def _body_of(arrays: Mapping[str, Any], rest: Float, places: Any) -> Body:
+def _body_of(arrays: Mapping[str, Array], rest: Float, places: npt.ArrayLike) -> Body:
     """One body, with its material."""
     matrices: dict[str, sp.csr_array] = {}
     for name in (*_INNER, *_OUTER):

@@ -1,11 +1,11 @@
 """Several bodies in a recording: each as one of its own, where it is, and what they do to each other."""
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from cotouch.arrays import Float
+from cotouch.arrays import Array, Float
 from cotouch.body import Body, Part, ToolBody, joined
 
 if TYPE_CHECKING:  # reading a recording needs no kernels
@@ -18,7 +18,7 @@ _TOOL, _GRIPS = "part_tool", "grips"
 _MOST, _ROUNDING = 1000, 1e-9
 
 
-def parts_arrays(body: Body, between: "Between | None", own: Callable[[Body], dict[str, Any]]) -> dict[str, Any]:
+def parts_arrays(body: Body, between: "Between | None", own: Callable[[Body], dict[str, Array]]) -> dict[str, Array]:
     """Several bodies by name.
 
     Args:
@@ -26,7 +26,7 @@ def parts_arrays(body: Body, between: "Between | None", own: Callable[[Body], di
         between: what they do to each other; None: there is one.
         own: gives all of one body by name.
     """
-    found: dict[str, Any] = {
+    found: dict[str, Array] = {
         _TURN: np.array([part.turn for part in body.parts]),
         _SHIFT: np.array([part.shift for part in body.parts]),
     }
@@ -46,7 +46,7 @@ def parts_arrays(body: Body, between: "Between | None", own: Callable[[Body], di
 
 
 def parts_of_arrays(
-    arrays: Mapping[str, Any], one: Callable[[dict[str, Any], Float], Body]
+    arrays: Mapping[str, Array], one: Callable[[dict[str, Array], Float], Body]
 ) -> "tuple[Body, Between | None]":
     """The inverse of `parts_arrays`.
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, final
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.arrays import Float, Int, Long
+from cotouch.arrays import Array, Float, Int, Long
 from cotouch.recording._buffer import Buffer, Extents, Extra
 from cotouch.recording._disk import NewFile
 from cotouch.recording._file import RecordingFile
@@ -143,7 +143,7 @@ class Recorder:
         tool_mass: Sequence[float] | Float = (),
         link_damping: Sequence[float] | None = None,
         rounding: float = 0.0,
-        **fields: Any,
+        **fields: object,
     ) -> None:
         """Says what the ledger of the next steps follow from; before the first step, and whenever one of it changes.
 
@@ -216,7 +216,7 @@ class Recorder:
         if current.full or end - current.first_end >= self._interval:
             self._cut()
 
-    def event(self, kind: str, time: float, **fields: Any) -> None:
+    def event(self, kind: str, time: float, **fields: object) -> None:
         """Notes that something happened.
 
         Args:
@@ -354,5 +354,5 @@ class _Full(NamedTuple):
     home: SimpleQueue[Buffer]
 
 
-def _list(values: Sequence[float] | npt.NDArray[Any]) -> list[float]:
+def _list(values: Sequence[float] | Array) -> list[float]:
     return [float(value) for value in values]

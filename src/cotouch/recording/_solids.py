@@ -1,9 +1,11 @@
 """Meshes that stood still around a recorded body, as arrays."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
+
+from cotouch.arrays import Array
 
 if TYPE_CHECKING:  # reading a recording needs no kernels
     from cotouch.mechanics import Solid
@@ -11,7 +13,7 @@ if TYPE_CHECKING:  # reading a recording needs no kernels
 NAMES = ("vertices", "triangles", "ends")
 
 
-def solid_arrays(solids: "Sequence[Solid]") -> dict[str, Any]:
+def solid_arrays(solids: "Sequence[Solid]") -> dict[str, Array]:
     """Some solids by name: vertices and triangles of all, and where those of each end, (solids, 2); none: nothing.
 
     Args:
@@ -25,7 +27,7 @@ def solid_arrays(solids: "Sequence[Solid]") -> dict[str, Any]:
     return dict(zip(NAMES, (places, corners, np.cumsum(sizes, axis=0)), strict=True))
 
 
-def solids_of_arrays(arrays: Mapping[str, Any]) -> "list[Solid]":
+def solids_of_arrays(arrays: Mapping[str, Array]) -> "list[Solid]":
     """The inverse of `solid_arrays`.
 
     Args:

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Mapping
-from typing import Annotated, Any, Self, cast, final
+from typing import Annotated, Self, cast, final
 
 from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
@@ -40,17 +40,19 @@ class PartTable(Table):
 
     @model_validator(mode="before")
     @classmethod
-    def _split(cls, given: Any) -> Any:
+    def _split(cls, given: object) -> object:
         """In a file the body's own options stand beside these."""
-        table = cast("Mapping[str, Any]", given)
-        if not isinstance(given, Mapping) or "body" in table:
-            return cast("Any", given)
+        if not isinstance(given, Mapping):
+            return given
+        table = cast("Mapping[str, object]", given)
+        if "body" in table:
+            return table
         own = {name: table[name] for name in _OWN if name in table}
         return {**own, "body": {name: value for name, value in table.items() if name not in _OWN}}
 
     @model_serializer(mode="wrap")
-    def _joined(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        table: dict[str, Any] = handler(self)
+    def _joined(self, handler: SerializerFunctionWrapHandler) -> dict[str, object]:
+        table: dict[str, object] = handler(self)
         inner = table.pop("body", {})
         return {**table, **inner} if isinstance(inner, dict) else table
 

@@ -231,7 +231,7 @@ _LINEAR = (None, "springs", "elastic")
 _OF_SOFT = ("young", "poisson", "stiffness", "rayleigh_mass", "rayleigh_stiffness", "frame", "ground", "modes")
 
 
-def _listed(names: Any) -> str:
+def _listed(names: object) -> str:
     return ", ".join(f'"{name}"' for name in get_args(names))
 
 
@@ -313,7 +313,7 @@ class FileTable(Table):
         return self
 
     @classmethod
-    def make(cls, *, source: str, **options: Any) -> "FileTable":
+    def make(cls, *, source: str, **options: object) -> "FileTable":
         """Makes a table; errors are one sentence each.
 
         Raises:
@@ -322,7 +322,7 @@ class FileTable(Table):
         from cotouch.scenario._messages import sentence
 
         try:
-            return cls(**options)
+            return cls.model_validate(options)
         except ValidationError as error:
             raise ScenarioError(sentence(error, source)) from None
 

@@ -2,9 +2,10 @@
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from cotouch.arrays import Bool, Float, Int
 from cotouch.body import Body
@@ -158,7 +159,7 @@ def _path(hand: HandTable, name: str, dimension: int) -> tuple[Float, Float]:
     """Times and places of a path."""
     path = hand.path
     if isinstance(path, list) and path and isinstance(path[0], list):
-        rows: list[Any] = path
+        rows = [row for row in path if isinstance(row, list)]
         for row in rows:
             if len(row) != 1 + dimension:
                 raise ScenarioError(f"{name} has the waypoint {row}; it must be a time and {dimension} numbers")
@@ -167,7 +168,7 @@ def _path(hand: HandTable, name: str, dimension: int) -> tuple[Float, Float]:
     return np.zeros(1), _vector(path, name, dimension)[None, :]
 
 
-def _vector(value: Any, name: str, dimension: int) -> Float:
+def _vector(value: npt.ArrayLike, name: str, dimension: int) -> Float:
     numbers = np.atleast_1d(np.asarray(value, dtype=np.float64))
     if numbers.shape == (dimension,):
         return numbers

@@ -1,7 +1,7 @@
 """Which link law a scenario has that names none."""
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, cast
 
 from cotouch.scenario._body_tables import FileTable
 
@@ -57,7 +57,7 @@ def makes_tree(users: Iterable[int], links: Iterable[tuple[int, int]]) -> bool:
     return len(piece) > 2 and count == len(piece) - 1
 
 
-def options_of_springs(session: Mapping[str, Any]) -> list[str]:
+def options_of_springs(session: Mapping[str, object]) -> list[str]:
     """Names of what a table [session] gives and only guarded springs have.
 
     Args:
@@ -67,7 +67,7 @@ def options_of_springs(session: Mapping[str, Any]) -> list[str]:
     return [name for name in _GUARDED if name in session] + [_ENCODING] * coarse
 
 
-def with_law_of_session(tables: Mapping[str, Any], session: Any) -> dict[str, Any]:
+def with_law_of_session(tables: Mapping[str, object], session: object) -> dict[str, object]:
     """Tables of a scenario, with law "spring" if they name none and the session's options are those of springs.
 
     So a session's file has the same law live and in the simulator.
@@ -78,8 +78,8 @@ def with_law_of_session(tables: Mapping[str, Any], session: Any) -> dict[str, An
     """
     sync = tables.get("synchronisation", {})
     if isinstance(session, Mapping) and isinstance(sync, Mapping) and "law" not in sync:
-        given = cast("Mapping[str, Any]", session)
+        given = cast("Mapping[str, object]", session)
         planned = given.get("links") == "plan"  # which seldom links all
         if planned or options_of_springs(given):
-            return {**tables, "synchronisation": {**cast("Mapping[str, Any]", sync), "law": SPRING}}
+            return {**tables, "synchronisation": {**cast("Mapping[str, object]", sync), "law": SPRING}}
     return dict(tables)

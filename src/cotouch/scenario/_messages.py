@@ -1,7 +1,7 @@
 """What is wrong with a scenario, as one sentence."""
 
 from collections.abc import Mapping
-from typing import Any, cast
+from typing import cast
 
 from pydantic import ValidationError
 
@@ -62,7 +62,7 @@ def sentence(error: ValidationError, source: str) -> str:
     return f"{source}: {text}" + (f" (and {more} more such message{'s' * (more > 1)})" if more else "")
 
 
-def _count(bound: Mapping[str, Any]) -> str:
+def _count(bound: Mapping[str, object]) -> str:
     """How many entries a list must have, from what pydantic says about it."""
     least, most = bound.get("min_length"), bound.get("max_length")
     number = least if least is not None else most

@@ -108,11 +108,13 @@ class RigidToolTable(Table):
 
     @model_validator(mode="before")
     @classmethod
-    def _split(cls, given: Any) -> Any:
+    def _split(cls, given: object) -> object:
         """In a file the shape's own options stand beside these."""
-        table = cast("Mapping[str, Any]", given)
-        if not isinstance(given, Mapping) or "solid" in table:
-            return cast("Any", given)
+        if not isinstance(given, Mapping):
+            return given
+        table = cast("Mapping[str, object]", given)
+        if "solid" in table:
+            return table
         own = {name: table[name] for name in _OWN if name in table}
         solid = {name: value for name, value in table.items() if name not in _OWN}
         if solid.setdefault("kind", "file") == "file" and solid.setdefault("model", "rigid") != "rigid":
@@ -126,7 +128,7 @@ class RigidToolTable(Table):
         return self
 
     @model_serializer(mode="wrap")
-    def _joined(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+    def _joined(self, handler: SerializerFunctionWrapHandler) -> dict[str, object]:
         table: dict[str, Any] = handler(self)
         solid = table.pop("solid")
         if table.get("device") is None:

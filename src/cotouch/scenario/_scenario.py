@@ -74,7 +74,7 @@ class Scenario(Table):
     _built: Body | None = PrivateAttr(default=None)
     _trace: Trace | None = PrivateAttr(default=None)
 
-    def __init__(self, *, source: str = "the scenario", **tables: Any) -> None:
+    def __init__(self, *, source: str = "the scenario", **tables: object) -> None:
         """Makes a scenario from tables or objects.
 
         Args:
@@ -150,7 +150,7 @@ class Scenario(Table):
         return cls.make(source=source, **table)
 
     @classmethod
-    def make(cls, *, source: str = "the scenario", **tables: Any) -> "Scenario":
+    def make(cls, *, source: str = "the scenario", **tables: object) -> "Scenario":
         """Makes a scenario from tables or objects; errors are one sentence each.
 
         Raises:
@@ -158,7 +158,7 @@ class Scenario(Table):
         """
         return cls(source=source, **tables)
 
-    def replace(self, **changes: Any) -> "Scenario":
+    def replace(self, **changes: object) -> "Scenario":
         """A copy with whole tables replaced, or single options given as `table__option=value`.
 
         Options are those of the file, so the network's `links` are pairs of user numbers from 1.
@@ -185,11 +185,11 @@ class Scenario(Table):
             result._trace = self._trace
         return result
 
-    def _options_of(self, table: str, kept: object) -> dict[str, Any]:
+    def _options_of(self, table: str, kept: object) -> dict[str, object]:
         """A table's options as a file gives them."""
         match kept:
             case dict():
-                return cast("dict[str, Any]", kept)
+                return cast("dict[str, object]", kept)
             case Network():
                 return kept.as_table()
             case Table():
@@ -337,7 +337,7 @@ class Scenario(Table):
             raise ScenarioError("body was made in Python; a file holds a body as one of its tables")
         tables: dict[str, Any] = {}
         for name in type(self).model_fields:
-            value: Any = getattr(self, name)
+            value: object = getattr(self, name)
             if name == "network":
                 tables[name] = self.network.as_table()
             elif name not in self.model_fields_set or value is None:
@@ -391,10 +391,10 @@ class Scenario(Table):
         return json.dumps(tables)
 
 
-def _rooted(holder: Any, name: str, folder: Path) -> None:
+def _rooted(holder: object, name: str, folder: Path) -> None:
     """Makes files relative to a folder that a table names, or each of a list of tables."""
     given = (table_of(holder) or {}).get(name)
     for one in list_of(given) or [given]:
         table = table_of(one)
-        if table is not None and isinstance(table.get("file"), str):
-            table["file"] = str(folder / table["file"])
+        if table is not None and isinstance(file := table.get("file"), str):
+            table["file"] = str(folder / file)

@@ -26,7 +26,7 @@ Mode = Literal["constant", "self-paced", "freshest"]
 DampingMethod = Literal["rule", "minimax", "exact"]
 
 
-def _has_truth(value: Any) -> bool:
+def _has_truth(value: object) -> bool:
     return isinstance(value, bool) or (isinstance(value, list | tuple) and any(map(_has_truth, value)))  # pyright: ignore[reportUnknownArgumentType]
 
 
@@ -37,15 +37,17 @@ class Table(BaseModel):
 
     @model_validator(mode="before")
     @classmethod
-    def _no_truth(cls, given: Any) -> Any:
+    def _no_truth(cls, given: object) -> object:
         """Refuses true and false for numbers, which Python counts as 1 and 0."""
-        if isinstance(given, Mapping):
-            for name, value in cast("Mapping[str, Any]", given).items():
-                field = cls.model_fields.get(name)
-                if field is not None and field.annotation is not bool and _has_truth(value):
-                    shown = repr(value) if len(repr(value)) <= 60 else f"{repr(value)[:57]}..."
-                    raise ValueError(f"{name} is {shown}; it must be given as a number, not as true or false")
-        return cast("Any", given)
+        if not isinstance(given, Mapping):
+            return given
+        table = cast("Mapping[str, object]", given)
+        for name, value in table.items():
+            field = cls.model_fields.get(name)
+            if field is not None and field.annotation is not bool and _has_truth(value):
+                shown = repr(value) if len(repr(value)) <= 60 else f"{repr(value)[:57]}..."
+                raise ValueError(f"{name} is {shown}; it must be given as a number, not as true or false")
+        return table
 
 
 Place = Annotated[list[FiniteFloat], Field(min_length=3, max_length=3)]
@@ -208,8 +210,8 @@ class HandTable(Table):
 class Initial(Table):
     """Where the copies start, displaced from rest and moving: for every user a number, d numbers, or n x d numbers."""
 
-    position: list[Any] | None = None
-    velocity: list[Any] | None = None
+    position: list[object] | None = None
+    velocity: list[object] | None = None
 
 
 @final

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
-from typing import Annotated, Any, Literal, Self, cast, final, get_args
+from typing import Annotated, Literal, Self, cast, final, get_args
 
 from pydantic import Discriminator, Field, FiniteFloat, Tag, model_validator
 
@@ -177,7 +177,7 @@ class ContactTable(Table):
     snap: SnapTable | None = None
     texture: TextureTable | None = None
 
-    def made(self) -> Any:
+    def made(self) -> tuple[float, ...]:
         """The law for the kernels.
 
         Raises:
@@ -280,13 +280,15 @@ class ToolTable(Table):
 
     @model_validator(mode="before")
     @classmethod
-    def _known(cls, given: Any) -> Any:
+    def _known(cls, given: object) -> object:
         """Refuses a kind that no tool has, those of rigid bodies included."""
-        table = cast("Mapping[str, Any]", given)
-        if isinstance(given, Mapping) and (kind := table.get("kind", "touch")) not in get_args(Kind):
+        if not isinstance(given, Mapping):
+            return given
+        table = cast("Mapping[str, object]", given)
+        if (kind := table.get("kind", "touch")) not in get_args(Kind):
             known = ", ".join(f'"{name}"' for name in (*get_args(Kind), *RIGID))
             raise ValueError(f'kind is "{kind}"; it must be one of {known}')
-        return cast("Any", given)
+        return table
 
     @model_validator(mode="after")
     def _after(self) -> Self:

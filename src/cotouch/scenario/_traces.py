@@ -2,7 +2,7 @@
 
 import csv
 from pathlib import Path
-from typing import Annotated, Any, Literal, Self, cast, final
+from typing import Annotated, Literal, Self, final
 
 import numpy as np
 from pydantic import ConfigDict, Field, model_validator
@@ -61,8 +61,7 @@ class Trace:
                 )
             start = 0.0
         if self.time is None:
-            rows: Long = self._row(start, np.arange(sent.size))
-            return self.latency[rows]
+            return self.latency[self._row(start, np.arange(sent.size))]
         if not self.loop:
             return np.interp(sent, self.time, self.latency)
         return self._between(start, sent)
@@ -76,17 +75,17 @@ class Trace:
             start: as `of` has it.
         """
         if self.time is None:
-            return float(self.latency[self._row(start, number)])
-        return float(self._between(start, since))
+            return float(self.latency[self._row(start, np.array(number))])
+        return float(self._between(start, np.array(since)))
 
-    def _row(self, start: float, number: Any) -> Any:
+    def _row(self, start: float, number: Long) -> Long:
         return (int(start * self.latency.size) + number) % self.latency.size
 
-    def _between(self, start: float, since: Any) -> Any:
+    def _between(self, start: float, since: Float) -> Float:
         assert self._round is not None
         time, latency = self._round
         at = (start * self.span + since) % self.span if self.span else 0.0 * since
-        return cast("Any", np.interp(at, time, latency))
+        return np.interp(at, time, latency)
 
 
 @final

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import NotRequired, Required, TypedDict, cast
 
 from cotouch.errors import SessionError
 from cotouch.files import read_toml, shipped, toml_text
@@ -60,6 +60,36 @@ _HOLD = 0.05
 _GATHER, _GATHER_FRACTION = 15.0, 1.0 / 6.0
 
 
+class _Network(TypedDict):
+    users: list[str]
+    spring: list[list[float]]
+    delay: list[list[float]]
+    links: NotRequired[list[list[int]]]
+
+
+class _Hand(TypedDict, total=False):
+    user: int
+    at: list[float]
+    path: Required[list[list[float]]]
+    stiffness: float
+    damping: float
+    amplitude: float | list[float]
+    frequency: float
+    release: float
+
+
+class _Tables(TypedDict):
+    """The tables of the session's file that this changes."""
+
+    title: str
+    network: _Network
+    body: dict[str, object]
+    hands: list[_Hand]
+    session: dict[str, object]
+    steps: NotRequired[dict[str, object]]
+    channel: NotRequired[dict[str, object]]
+
+
 def demo_session(
     *,
     users: int = 5,
@@ -83,7 +113,7 @@ def demo_session(
         SessionError: one of these cannot be.
         ScenarioError: the law cannot be, or not live.
     """
-    tables = read_toml(shipped("session", _FILE, SessionError), "session file", SessionError)
+    tables = cast("_Tables", read_toml(shipped("session", _FILE, SessionError), "session file", SessionError))
     if not 1 <= users <= MOST_USERS:
         raise SessionError(f"--users is {users}; it must be from 1 to {MOST_USERS}")
     network = tables["network"]
@@ -95,13 +125,13 @@ def demo_session(
         network["users"] = network["users"][:users]
         for name in ("spring", "delay"):
             network[name] = [row[:users] for row in network[name][:users]]
-        network["links"] = [link for link in network["links"] if max(link) <= users]
+        network["links"] = [link for link in network.get("links", []) if max(link) <= users]
     else:
         network["users"] = [f"user {number + 1}" for number in range(users)]
         for name, value in (("spring", _SPRING), ("delay", _DELAY)):
             network[name] = [[value * (i != j) for j in range(users)] for i in range(users)]
-        del network["links"]
-    hands: list[dict[str, Any]] = [
+        network.pop("links", None)
+    hands: list[_Hand] = [
         {"user": n + 1, "path": [[0, 0], [2, _REACH[n % 5]]], "stiffness": 60.0, "damping": 2.0} for n in range(users)
     ]
     tables["hands"] = hands
@@ -127,7 +157,7 @@ def demo_session(
         return SessionFile.from_toml(toml_text(tables), source="the demonstration", folder=Path(folder), law=law)
 
 
-def _embody(tables: dict[str, Any], body: str) -> None:
+def _embody(tables: _Tables, body: str) -> None:
     """Puts a body in, and hands where they can hold it."""
     if body == "point":
         return
@@ -146,7 +176,7 @@ def _embody(tables: dict[str, Any], body: str) -> None:
         hand |= {"at": place, "path": [[0, 0, 0, 0], [2, *reach]], "stiffness": 200.0}
 
 
-def _cushion(tables: dict[str, Any]) -> None:
+def _cushion(tables: _Tables) -> None:
     """The cushion: held at its corners and in the middle, at shares of its half width."""
     tables["body"] = dict(_SOFT)
     tables["steps"] = {"rate": _SOFT_RATE}
@@ -162,7 +192,7 @@ def _cushion(tables: dict[str, Any]) -> None:
         }
 
 
-def _soften(tables: dict[str, Any], fraction: float) -> None:
+def _soften(tables: _Tables, fraction: float) -> None:
     """Gives every node a share of the paper's springs, and leaves out its slowest path."""
     network = tables["network"]
     network["spring"] = [[fraction * spring for spring in row] for row in network["spring"]]
@@ -170,8 +200,8 @@ def _soften(tables: dict[str, Any], fraction: float) -> None:
         network["links"] = [[a, b] for a, b in network["links"] if network["delay"][a - 1][b - 1] < _SLOW]
 
 
-def _impair(tables: dict[str, Any], impair: Sequence[str]) -> None:
-    channel: dict[str, Any] = {}
+def _impair(tables: _Tables, impair: Sequence[str]) -> None:
+    channel: dict[str, object] = {}
     for one in impair:
         name, _, text = one.partition("=")
         try:

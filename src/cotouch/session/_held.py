@@ -3,7 +3,7 @@
 from collections import deque
 from collections.abc import Callable, Generator, Sequence
 from contextlib import ExitStack, contextmanager
-from typing import Any, final
+from typing import final
 
 from cotouch.errors import DeviceError
 from cotouch.haptics import DeviceChoice, ServoLink, reasons
@@ -67,7 +67,7 @@ class HeldDevice:
             return self._news.popleft()
         return self._news[0] if self._news else ""
 
-    def summary(self) -> dict[str, Any] | None:
+    def summary(self) -> dict[str, object] | None:
         """How it went, with a second device under `other`; None without a device."""
         if not self.link:
             return None
@@ -78,7 +78,7 @@ class HeldDevice:
         return first | ({"other": others[0]} if others else {})
 
 
-def _summary(text: str, link: ServoLink, said: list[str]) -> dict[str, Any]:
+def _summary(text: str, link: ServoLink, said: list[str]) -> dict[str, object]:
     report = link.report
     return {
         "device": text,

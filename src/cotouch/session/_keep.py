@@ -9,7 +9,7 @@ import json
 import os
 import time
 from pathlib import Path
-from typing import IO, Any, NamedTuple, final
+from typing import IO, NamedTuple, final
 
 from cotouch.control import Invitation
 from cotouch.errors import SessionError, TransportError
@@ -144,7 +144,7 @@ def _locked(path: Path) -> IO[bytes] | None:
 
 def _secret(path: Path) -> bytes | None:
     try:
-        kept: Any = json.loads(read_text(path, "identity", SessionError, _MOST))
+        kept = json.loads(read_text(path, "identity", SessionError, _MOST))
         secret = bytes.fromhex(kept["identity"])
     except (SessionError, ValueError, KeyError, TypeError, RecursionError):
         return None

@@ -2,7 +2,7 @@
 
 from cotouch.simulation._animation import HTML, Animation, PortTracks, ToolTracks, UserSeries
 from cotouch.simulation._batch import Outcome, Traffic, run_batch
-from cotouch.simulation._body_report import body_report, save_body_figure
+from cotouch.simulation._body_report import BodyReport, body_report, save_body_figure
 from cotouch.simulation._channel import start_of
 from cotouch.simulation._figures import FIGURES, figures, save_figures, shade_hold
 from cotouch.simulation._law_setup import facts_of, given_law
@@ -23,6 +23,7 @@ from cotouch.simulation._prepare import Prepared, prepare, with_hands, with_law
 from cotouch.simulation._result import dataset, save, simulate
 from cotouch.simulation._schedule import Schedule, schedule
 from cotouch.simulation._shown import animation, frame_rate
+from cotouch.simulation._summary_tables import Judged, Numbers, RigidToolSummary, Summary, ToolSummary
 from cotouch.simulation._tables import tables  # pyright: ignore[reportUnknownVariableType]  pandas has no types
 
 __all__ = [
@@ -31,11 +32,17 @@ __all__ = [
     "TOOL_LEDGER",
     "USER_LEDGER",
     "Animation",
+    "BodyReport",
+    "Judged",
+    "Numbers",
     "Outcome",
     "PeerRun",
     "PortTracks",
     "Prepared",
+    "RigidToolSummary",
     "Schedule",
+    "Summary",
+    "ToolSummary",
     "ToolTracks",
     "Traffic",
     "UserSeries",

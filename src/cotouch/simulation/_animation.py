@@ -7,14 +7,14 @@ from html import escape
 from importlib.resources import files
 from pathlib import Path
 from string import Template
-from typing import Any, Final, final
+from typing import Final, final
 
 import numpy as np
 import numpy.typing as npt
 
 from cotouch import drawing
 from cotouch.arrays import Int, Single
-from cotouch.body import Skin
+from cotouch.body import DrawnPart, Skin
 from cotouch.errors import BodyError, InputError, NetworkError
 from cotouch.files import prepare, write
 from cotouch.mechanics import Shape, Solid, shape_table
@@ -191,7 +191,7 @@ class Animation:
     links: tuple[tuple[int, int], ...]
     series: tuple[UserSeries, ...]
     shapes: tuple[Shape, ...]
-    parts: tuple[dict[str, Any], ...]
+    parts: tuple[DrawnPart, ...]
     spans: Single
     texture: DrawnTexture | None
 
@@ -212,7 +212,7 @@ class Animation:
         links: Sequence[tuple[int, int]] = (),
         series: Sequence[UserSeries] = (),
         shapes: Sequence[Shape] = (),
-        parts: Sequence[dict[str, Any]] = (),
+        parts: Sequence[DrawnPart] = (),
         spans: npt.ArrayLike | None = None,
         texture: DrawnTexture | None = None,
     ) -> None:

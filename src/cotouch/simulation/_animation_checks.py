@@ -6,7 +6,7 @@ from typing import Any, cast
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.arrays import Float, Int, Single
+from cotouch.arrays import Array, Float, Int, Single
 from cotouch.errors import BodyError, InputError, NetworkError
 
 
@@ -20,7 +20,7 @@ def keep_frozen(thing: object, **values: object) -> None:
 
 def numbers_of(
     name: str, values: npt.ArrayLike | None, error: type[InputError], *, finite: bool = True, kind: type = np.float64
-) -> npt.NDArray[Any]:
+) -> Array:
     """An array of numbers.
 
     Args:
@@ -31,7 +31,7 @@ def numbers_of(
         kind: of the numbers.
     """
     try:
-        array: npt.NDArray[Any] = np.array(values, dtype=cast("Any", kind), order="C")
+        array: Array = np.array(values, dtype=cast("Any", kind), order="C")
     except (TypeError, ValueError, OverflowError) as reason:
         raise error(f"{name} are not an array of numbers ({reason})") from reason
     if finite and not np.isfinite(array).all():
@@ -107,7 +107,7 @@ def track_of(name: str, values: npt.ArrayLike, count: int) -> Float:
     return padded(array)
 
 
-def padded(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
+def padded(array: Array) -> Array:
     """With zeros for the axes that are missing."""
     missing = 3 - array.shape[-1] if array.ndim else 0
     return np.pad(array, [(0, 0)] * (array.ndim - 1) + [(0, missing)]) if missing > 0 else array
@@ -118,7 +118,7 @@ def a_word(name: str) -> str:
     return f"{'an' if name[0] in 'aeiou' else 'a'} {name}"
 
 
-def size_of(array: npt.NDArray[Any]) -> str:
+def size_of(array: Array) -> str:
     """In words."""
     return " x ".join(str(extent) for extent in array.shape) or "a single number"
 

@@ -4,7 +4,7 @@
 
 import itertools
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, TypedDict
 
 import numpy as np
 
@@ -36,7 +36,36 @@ _VIEW: Final = {"elev": 24.0, "azim": -58.0}
 _FLESH: Final = np.array([0.80, 0.84, 0.89])
 
 
-def body_report(body: Body, modes: int = _MODES) -> tuple[dict[str, Any], Float]:
+class SkinSize(TypedDict):
+    """How much a skin has."""
+
+    vertices: int
+    triangles: int
+
+
+class BodyReport(TypedDict):
+    """The numbers of a body from a mesh; `times_each`: once for every axis of scalar springs."""
+
+    file: str
+    kind: str
+    model: str
+    unit: str
+    notes: list[str]
+    nodes: int
+    elements: int
+    spacing_m: float
+    size_m: list[float]
+    volume_m3: float
+    mass_kg: float
+    inertia_kgm2: list[float]
+    skin: SkinSize | None
+    held_nodes: int
+    free_rigid_motions: int
+    frequencies_hz: list[float]
+    times_each: int
+
+
+def body_report(body: Body, modes: int = _MODES) -> tuple[BodyReport, Float]:
     """The numbers of a body that came from a mesh, and its first modes that are not rigid, (modes, n, d).
 
     A body of scalar springs has each of its modes once along every axis; it is then returned along the thinnest.
@@ -62,7 +91,7 @@ def body_report(body: Body, modes: int = _MODES) -> tuple[dict[str, Any], Float]
         fields[:] = shapes.T.reshape(fields.shape)
     else:
         fields[:, :, int(np.argmin(origin.size))] = shapes.T
-    numbers = {
+    numbers: BodyReport = {
         "file": origin.source,
         "kind": origin.kind,
         "model": origin.model,
@@ -94,7 +123,7 @@ def _inertia(body: Body) -> list[float]:
     return np.linalg.eigvalsh(np.trace(spread) * np.eye(3) - spread).tolist()
 
 
-def save_body_figure(body: Body, numbers: dict[str, Any], fields: Float, directory: Path) -> Path:
+def save_body_figure(body: Body, numbers: BodyReport, fields: Float, directory: Path) -> Path:
     """Draws `body.png` into a folder: the surface, what carries it, and the first modes.
 
     Args:
@@ -113,7 +142,7 @@ def save_body_figure(body: Body, numbers: dict[str, Any], fields: Float, directo
     return path
 
 
-def _figure(body: Body, numbers: dict[str, Any], fields: Float) -> "Figure":
+def _figure(body: Body, numbers: BodyReport, fields: Float) -> "Figure":
     origin, skin = body.origin, body.skin
     assert origin is not None
     assert skin is not None

@@ -2,7 +2,6 @@
 # matplotlib's keywords have no types
 """Figures of a run: positions, forces, energies and ages."""
 
-import json
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -31,6 +30,7 @@ from cotouch.errors import ScenarioError
 from cotouch.files import folder as make_folder
 from cotouch.files import write
 from cotouch.simulation._metrics import at_times, felt, hold_window
+from cotouch.simulation._run_tables import tables_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -102,7 +102,7 @@ def shade_hold(axes: "Axes", run: "xr.Dataset", *, label: bool = True) -> None:
         run: as `simulate` returns it.
         label: whether the legend names it.
     """
-    tables = json.loads(run.attrs["scenario"])
+    tables = tables_of(run)
     if not tables["hands"] and not tables.get("tools"):
         return
     start, stop = hold_window(run)
@@ -183,7 +183,7 @@ def _forces(run: "xr.Dataset") -> "Figure":
 
 def _owners(run: "xr.Dataset") -> list[int]:
     """Whose each tool is."""
-    return [int(tool["user"]) - 1 for tool in json.loads(run.attrs["scenario"])["tools"]]
+    return [tool["user"] - 1 for tool in tables_of(run).get("tools", [])]
 
 
 def _tool_line(owners: list[int], tool: int) -> dict[str, Any]:
@@ -377,6 +377,6 @@ def _limit(panels: "Sequence[Axes]", run: "xr.Dataset") -> None:
 def _shown_node(run: "xr.Dataset") -> int:
     """Index of the recorded node that most hands hold, the first such."""
     nodes = [int(number) for number in run["node"].values]
-    held = [int(hand["node"]) for hand in json.loads(run.attrs["scenario"])["hands"]]
+    held = [hand["node"] for hand in tables_of(run)["hands"]]
     count: Callable[[int], int] = held.count
     return max(range(len(nodes)), key=lambda k: (count(nodes[k]), -k))

@@ -1,7 +1,6 @@
 """What a run says about the architecture: how soon users agree, how well forces balance, where energy went."""
 
-import json
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
@@ -10,6 +9,8 @@ from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.device import PRESETS
 from cotouch.scenario import DEFAULT_RATE
+from cotouch.simulation._run_tables import DeviceEntry, Span, tables_of
+from cotouch.simulation._summary_tables import Judged, Numbers, RigidToolSummary, State, Summary, ToolSummary
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -28,10 +29,10 @@ def hold_window(run: "xr.Dataset") -> tuple[float, float]:
     Without them, or where nothing is left between the two, the whole run.
     """
     end = float(np.nanmax(run["time"].values))
-    tables = json.loads(run.attrs["scenario"])
-    tools: list[dict[str, Any]] = tables.get("tools", [])
+    tables = tables_of(run)
+    tools = tables.get("tools", [])
     both = [*tools, *tables.get("rigid_tools", [])]
-    hands: list[dict[str, Any]] = [*tables["hands"], *tools, *(tool["hand"] for tool in both if tool["hand"])]
+    hands: list[Span] = [*tables["hands"], *tools, *(tool["hand"] for tool in both if tool["hand"])]
     begin = max((float(hand["begin"]) for hand in hands), default=0.0)
     release = min((float(hand["release"]) for hand in hands if hand["release"] is not None), default=end)
     release = min(release, end)
@@ -145,8 +146,7 @@ def force_imbalance(run: "xr.Dataset", body: Body, time: float) -> float | None:
     balance = -body.apply(body.stiffness, mean - body.rest)
     if "tool" in run.sizes:
         return float(np.linalg.norm(balance.sum(axis=0) + _forces_at(run, time).sum(axis=0)))
-    hands: list[dict[str, Any]] = json.loads(run.attrs["scenario"])["hands"]
-    for index, hand in enumerate(hands):
+    for index, hand in enumerate(tables_of(run)["hands"]):
         own = run["time"].values[hand["user"] - 1]
         step = int(np.searchsorted(own[np.isfinite(own)], time * (1.0 + 1e-12), side="right")) - 1
         balance[hand["node"] - 1] += run["hand_force"].values[index, step]
@@ -165,26 +165,26 @@ def felt(run: "xr.Dataset") -> Float:
     return force
 
 
-def tool_summary(run: "xr.Dataset") -> list[dict[str, Any]]:
+def tool_summary(run: "xr.Dataset") -> list[ToolSummary]:
     """What each tool and its device came to, ready for JSON.
 
     Of each: its user's number, what it is, the largest force that the hand felt and the mean while in contact, the most
     contacts (or nodes held), the time in contact; for one with a device whether its coupling was passive, the root of
     the mean square of the force that its motors held, and what a preset's motors can hold all the time.
     """
-    tables: list[dict[str, Any]] = json.loads(run.attrs["scenario"]).get("tools", [])
+    tables = tables_of(run).get("tools", [])
     if not tables:
         return []
     sizes = np.linalg.norm(felt(run), axis=-1)
-    result: list[dict[str, Any]] = []
+    result: list[ToolSummary] = []
     for index, table in enumerate(tables):
         time = run["time"].values[table["user"] - 1]
         last = int(np.isfinite(time).sum())
         force, touching = sizes[index, :last], run["touching"].values[index, :last]
         span = np.where(touching > 0.0, np.diff(time[:last], prepend=0.0), 0.0)
         held = float(span.sum())
-        device: dict[str, Any] | None = table["device"]
-        entry: dict[str, Any] = {
+        device = table["device"]
+        entry: ToolSummary = {
             "user": table["user"],
             "kind": table["kind"],
             "device": None if device is None else _device(device),
@@ -211,21 +211,25 @@ def tool_summary(run: "xr.Dataset") -> list[dict[str, Any]]:
     return result
 
 
-def rigid_tool_summary(run: "xr.Dataset") -> list[dict[str, Any]]:
+def rigid_tool_summary(run: "xr.Dataset") -> list[RigidToolSummary]:
     """What the hands on rigid tools felt, ready for JSON: each one's user, shape, largest force and torque."""
-    tables: list[dict[str, Any]] = json.loads(run.attrs["scenario"]).get("rigid_tools", [])
-    peaks = {
-        name: np.linalg.norm(np.nan_to_num(run[variable].values), axis=-1).max(axis=-1)
-        for name, variable in (("peak_force_n", "rigid_force"), ("peak_torque_nm", "rigid_torque"))
-        if tables
-    }
+    tables = tables_of(run).get("rigid_tools", [])
+    force, torque = (
+        np.linalg.norm(np.nan_to_num(run[variable].values), axis=-1).max(axis=-1) if tables else np.zeros(0)
+        for variable in ("rigid_force", "rigid_torque")
+    )
     return [
-        {"user": table["user"], "kind": table["kind"], **{name: float(own[index]) for name, own in peaks.items()}}
+        {
+            "user": table["user"],
+            "kind": table["kind"],
+            "peak_force_n": float(force[index]),
+            "peak_torque_nm": float(torque[index]),
+        }
         for index, table in enumerate(tables)
     ]
 
 
-def _device(table: dict[str, Any]) -> str:
+def _device(table: DeviceEntry) -> str:
     """A device in a few words."""
     phantom = table["kind"] == "phantom" or (table["kind"] is None and table["preset"] == "phantom")
     name = "phantom" if phantom else table["preset"] or "cartesian"
@@ -238,7 +242,7 @@ def _device(table: dict[str, Any]) -> str:
     return f"{name} {rate:.4g} Hz"
 
 
-def summary(run: "xr.Dataset", body: Body) -> dict[str, Any]:
+def summary(run: "xr.Dataset", body: Body) -> Summary:
     """The figures of a run that fit on one screen, ready for JSON.
 
     Args:
@@ -248,7 +252,7 @@ def summary(run: "xr.Dataset", body: Body) -> dict[str, Any]:
     start, stop = hold_window(run)
     end = float(np.nanmax(run["time"].values))
     ledger = {name: float(run[name].values[-1]) for name in ("stored", "supplied_total", "dissipated_total")}
-    return {
+    found: Summary = {
         "title": run.attrs["title"],
         "mode": run.attrs["mode"],
         "steps": int(run.attrs["steps"]),
@@ -278,12 +282,17 @@ def summary(run: "xr.Dataset", body: Body) -> dict[str, Any]:
         },
         "underruns": int(run.attrs["underruns"]),
         "messages_lost": int(run.attrs["messages_lost"]),
-        **({"codec": coded(run)} if "contents" in run.attrs else {}),
         "local_damping": [plain(row) for row in run["local_damping"].values],
-        **({"tools": tool_summary(run)} if "tool" in run.sizes else {}),
-        **({"rigid_tools": rigid_tool_summary(run)} if "rigid_tool" in run.sizes else {}),
-        **({"device_residual": float(run.attrs["device_residual"])} if "device_residual" in run.attrs else {}),
     }
+    if "contents" in run.attrs:
+        found["codec"] = coded(run)
+    if "tool" in run.sizes:
+        found["tools"] = tool_summary(run)
+    if "rigid_tool" in run.sizes:
+        found["rigid_tools"] = rigid_tool_summary(run)
+    if "device_residual" in run.attrs:
+        found["device_residual"] = float(run.attrs["device_residual"])
+    return found
 
 
 def coded(run: "xr.Dataset") -> dict[str, float]:
@@ -301,7 +310,7 @@ def coded(run: "xr.Dataset") -> dict[str, float]:
     return {name: float(run.attrs[kept]) / span for name, kept in names.items()}
 
 
-def judge(run: "xr.Dataset") -> dict[str, Any]:
+def judge(run: "xr.Dataset") -> Judged:
     """What the run says about its link law.
 
     Returns:
@@ -320,7 +329,7 @@ def judge(run: "xr.Dataset") -> dict[str, Any]:
     }
 
 
-def _state(run: "xr.Dataset", time: float) -> dict[str, Any]:
+def _state(run: "xr.Dataset", time: float) -> State:
     """Positions and forces of all users at a time: numbers for a single node on one axis, else nested lists."""
     positions = at_times(run, "position", np.array([time]))[0]
     forces = _forces_at(run, time)
@@ -341,7 +350,7 @@ def _forces_at(run: "xr.Dataset", time: float) -> Float:
     return forces
 
 
-def plain(values: npt.ArrayLike) -> Any:
+def plain(values: npt.ArrayLike) -> Numbers:
     """A number if there is only one, else nested lists."""
     array = np.asarray(values)
     return array.item() if array.size == 1 else array.tolist()

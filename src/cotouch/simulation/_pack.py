@@ -8,12 +8,12 @@ lost after the rounding. `page/src/animation/data.js` undoes it.
 
 import base64
 import gzip
-from typing import Any, Final, final
+from typing import Final, final
 
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.arrays import Float, Single
+from cotouch.arrays import Array, Float, Single
 
 Levels = npt.NDArray[np.uint16]
 
@@ -28,11 +28,11 @@ class Packer:
     """Gathers arrays behind each other; `entries` says where each lies, for the page's header."""
 
     def __init__(self) -> None:
-        self.entries: dict[str, dict[str, Any]] = {}
+        self.entries: dict[str, dict[str, object]] = {}
         self._parts: list[bytes] = []
         self._size = 0
 
-    def add(self, name: str, values: npt.NDArray[Any], kind: str) -> None:
+    def add(self, name: str, values: Array, kind: str) -> None:
         """An array as it is: "f4", "f8" or "u4", little-endian.
 
         Args:

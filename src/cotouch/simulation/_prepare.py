@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal, final
+from typing import Literal, final
 
 import numpy as np
 from pydantic import ValidationError
@@ -168,7 +168,7 @@ def _basis(scenario: Scenario, body: Body) -> Literal["auto", "nodal", "modal"]:
     return "nodal" if asked == "auto" and felt else asked
 
 
-def with_hands(prepared: Prepared, hands: Sequence[Mapping[str, Any]]) -> Prepared:
+def with_hands(prepared: Prepared, hands: Sequence[Mapping[str, object]]) -> Prepared:
     """The same run with other hands: body, schedule and channel are not worked out again.
 
     Args:
@@ -190,7 +190,7 @@ def with_hands(prepared: Prepared, hands: Sequence[Mapping[str, Any]]) -> Prepar
     return replace(prepared, scenario=scenario, hands=ports, ports=of_hand, nodes=_recorded(scenario, body))
 
 
-def with_law(prepared: Prepared, law: str | Mapping[str, Any]) -> Prepared:
+def with_law(prepared: Prepared, law: str | Mapping[str, object]) -> Prepared:
     """The same run with another link law: body, schedule and channel are not worked out again.
 
     Args:
@@ -244,7 +244,7 @@ def _is_constant(timing: Schedule) -> bool:
     return bool((timing.length == timing.length.flat[0]).all())
 
 
-def _initial(given: list[Any] | None, name: str, users: int, body: Body) -> Float:
+def _initial(given: list[object] | None, name: str, users: int, body: Body) -> Float:
     """Initial field of every user, (users, n, d)."""
     result = np.zeros((users, body.nodes, body.dimension))
     shared = body.shared

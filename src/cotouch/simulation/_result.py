@@ -5,9 +5,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Array, Float
 from cotouch.errors import ScenarioError
 from cotouch.files import write_netcdf
 from cotouch.interrupt import interruptible
@@ -136,9 +135,9 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
     taken = outcome.taken // every
     gaps = bool((taken < records - 1).any())
     everyone = np.arange(int(users))
-    data: dict[str, tuple[tuple[str, ...], Any]] = {}
+    data: dict[str, tuple[tuple[str, ...], Array]] = {}
 
-    def put(name: str, dims: tuple[str, ...], values: npt.NDArray[Any], owner: npt.NDArray[Any] | None = None) -> None:
+    def put(name: str, dims: tuple[str, ...], values: Array, owner: Array | None = None) -> None:
         if owner is not None and gaps and "step" in dims:
             values = np.array(values)
             values[np.arange(records)[None, :] > taken[owner, None]] = np.nan
@@ -219,13 +218,14 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
     if outcome.frame_time.size:
         shown = np.array([[prepared.model.to_nodes(copy) for copy in frame] for frame in outcome.frames])
         put("frame_position", ("frame", "user", "node_all", "axis"), (shown + body.rest).astype(np.float32))
-    for name, (dims, values) in data.items():
-        unit, meaning = _UNITS[name]
-        data[name] = (dims, values, {"units": unit, "long_name": meaning})  # pyright: ignore[reportArgumentType]
+    labelled = {
+        name: (dims, values, {"units": _UNITS[name][0], "long_name": _UNITS[name][1]})
+        for name, (dims, values) in data.items()
+    }
 
     names = [f"{i + 1}<-{j + 1}" for i, j in zip(slots.receiver, slots.sender, strict=True)]
     return Run(
-        data,
+        labelled,
         coords={
             "user": list(network.users),
             "node": prepared.nodes.astype(np.int64) + 1,
@@ -258,7 +258,7 @@ def _hand_forces(prepared: Prepared, force: Float, axes: int) -> Float:
     return force[..., :axes] if np.array_equal(own, np.arange(int(force.shape[0]))) else force[own, :, :axes]
 
 
-def _attributes(prepared: Prepared, outcome: Outcome, ticks: int) -> dict[str, Any]:
+def _attributes(prepared: Prepared, outcome: Outcome, ticks: int) -> dict[str, object]:
     from cotouch import __version__
 
     ledger = outcome.record.ticks[:, :ticks]
@@ -304,7 +304,7 @@ def _had(record: Record) -> float:
     return float(record.ticks[0, 0] - record.lowest[1:].sum())
 
 
-def _judged(prepared: Prepared, outcome: Outcome) -> dict[str, Any]:
+def _judged(prepared: Prepared, outcome: Outcome) -> dict[str, object]:
     """What the links made of their own, beside what their law promises; all worked out by the kernels [J].
 
     `made` is the most that links less the damping B_i had put into the copies, `extracted` the most that hands and

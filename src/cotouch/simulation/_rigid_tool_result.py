@@ -1,7 +1,5 @@
 """What tools that are rigid bodies did in a run: pose, force and torque."""
 
-from typing import Any
-
 import numpy as np
 
 from cotouch.arrays import Float, Int
@@ -66,7 +64,7 @@ def rigid_tool_variables(prepared: Prepared, record: Record, period: Float) -> d
     return {name: (dims, np.stack([one[name] for one in each])) for name in UNITS}
 
 
-def _told(tool: RigidTool, record: Record, period: Float, first: int) -> dict[str, Any]:
+def _told(tool: RigidTool, record: Record, period: Float, first: int) -> dict[str, Float]:
     """One tool."""
     own = slice(first, first + _MASSES)
     rest = tool.part.rest()

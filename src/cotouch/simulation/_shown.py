@@ -1,18 +1,17 @@
 """From a run to its animation."""
 
-import json
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float, Long
+from cotouch.arrays import Array, Float, Long
 from cotouch.body import Body, CutSkin, cut_skin, drawn_parts, drawn_tools
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Shape
 from cotouch.scenario import DrawnTexture, TextureTable, WorldTable
 from cotouch.simulation._animation import Animation, PortTracks, ToolTracks, UserSeries
 from cotouch.simulation._metrics import felt
+from cotouch.simulation._run_tables import BodyEntry, RunTables, tables_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -61,7 +60,7 @@ def animation(run: "xr.Dataset", body: Body) -> Animation:
             f"{body.dimension}; give the body of the run"
         )
     when = run["frame"].values[: frames.shape[0]].astype(np.float64)
-    tables: dict[str, Any] = json.loads(run.attrs["scenario"])
+    tables = tables_of(run)
     shared = frames[:, :, : body.shared]
     apart = np.linalg.norm(shared - shared.mean(axis=1, keepdims=True), axis=-1)
     shape: dict[str, Any]
@@ -117,17 +116,17 @@ def _in_their_copies(body: Body, spans: Float, faces: CutSkin | None = None) -> 
     return spans
 
 
-def _shapes(world: dict[str, Any]) -> list[Shape]:
+def _shapes(world: dict[str, object]) -> list[Shape]:
     return [obstacle.shape for obstacle in WorldTable.model_validate(world).obstacles()]
 
 
-def _texture(contact: dict[str, Any]) -> DrawnTexture | None:
+def _texture(contact: dict[str, object]) -> DrawnTexture | None:
     """What lies on the skin; a picture is read again."""
     given = contact.get("texture")
     return None if given is None else TextureTable.model_validate(given).drawn()
 
 
-def _colours(bodies: list[dict[str, Any]]) -> list[str | None]:
+def _colours(bodies: list[BodyEntry]) -> list[str | None]:
     """Of each body; one that was made in Python has its own."""
     return [one.get("color") for one in bodies for _ in range(one.get("copies", 1))]
 
@@ -141,8 +140,8 @@ def _edges(body: Body) -> Long:
     return np.unique(pairs[pairs[:, 0] < pairs[:, 1]], axis=0)
 
 
-def _tools(run: "xr.Dataset", tables: dict[str, Any], when: Float) -> ToolTracks | None:
-    tools: list[dict[str, Any]] = tables.get("tools", [])
+def _tools(run: "xr.Dataset", tables: RunTables, when: Float) -> ToolTracks | None:
+    tools = tables.get("tools", [])
     if not tools:
         return None
     owner = [tool["user"] - 1 for tool in tools]
@@ -155,11 +154,9 @@ def _tools(run: "xr.Dataset", tables: dict[str, Any], when: Float) -> ToolTracks
     )
 
 
-def _ports(
-    run: "xr.Dataset", tables: dict[str, Any], when: Float, frames: npt.NDArray[Any], body: Body
-) -> PortTracks | None:
-    hands: list[dict[str, Any]] = tables["hands"]
-    tools: list[dict[str, Any]] = tables.get("rigid_tools", [])
+def _ports(run: "xr.Dataset", tables: RunTables, when: Float, frames: Array, body: Body) -> PortTracks | None:
+    hands = tables["hands"]
+    tools = tables.get("rigid_tools", [])
     if not hands and not tools:
         return None
     owner = [hand["user"] - 1 for hand in hands]

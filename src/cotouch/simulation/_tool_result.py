@@ -1,6 +1,6 @@
 """What tools, devices and couplings did in a run, as labelled variables."""
 
-from typing import Any
+from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -10,6 +10,8 @@ from cotouch.device import DEVICE_LEDGER, excess_bound
 from cotouch.scenario import ToolRecord, Touching
 from cotouch.simulation._batch import Outcome
 from cotouch.simulation._prepare import Prepared
+
+_Data: TypeAlias = dict[str, tuple[tuple[str, ...], Float]]
 
 # Below this nobody has done anything: a share of it would be a share of round-off [J].
 LEAST_ENERGY = 1e-15
@@ -45,7 +47,7 @@ _LOSSES = ("hand_loss", "viscous_loss", "coulomb_loss")
 _ENERGIES = ("kinetic", "hand_energy", "potential")
 
 
-def tool_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tuple[str, ...], Float]]:
+def tool_variables(prepared: Prepared, outcome: Outcome) -> _Data:
     """Variables of tools in the order of the scenario; empty without tools. What a tool has not is NaN.
 
     Args:
@@ -56,7 +58,7 @@ def tool_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tupl
     if record is None or touching is None:
         return {}
     order = np.array(prepared.tool)
-    data: dict[str, tuple[tuple[str, ...], Float]] = {}
+    data: _Data = {}
 
     def put(name: str, values: Float) -> None:
         data[name] = (("tool", "step", "axis")[: values.ndim], values[order])
@@ -69,7 +71,7 @@ def tool_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tupl
     return data | _device_variables(touching, record, order, "tool")
 
 
-def leading_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[tuple[str, ...], Float]]:
+def leading_variables(prepared: Prepared, outcome: Outcome) -> _Data:
     """Variables of the devices that lead rigid tools, in the order of these, each named `rigid_` and as of tools.
 
     Args:
@@ -83,12 +85,10 @@ def leading_variables(prepared: Prepared, outcome: Outcome) -> dict[str, tuple[t
     return {f"rigid_{name}": values for name, values in found.items()}
 
 
-def _device_variables(
-    touching: Touching, record: ToolRecord, order: npt.NDArray[np.int_], dimension: str
-) -> dict[str, tuple[tuple[str, ...], Float]]:
+def _device_variables(touching: Touching, record: ToolRecord, order: npt.NDArray[np.int_], dimension: str) -> _Data:
     """What devices and couplings did; empty where there are none."""
     held = touching.couplings.device[order] >= 0
-    data: dict[str, tuple[tuple[str, ...], Float]] = {}
+    data: _Data = {}
 
     def put(name: str, values: Float) -> None:
         values = values[order]
@@ -127,13 +127,13 @@ def _device_variables(
     return data
 
 
-def tool_attributes(data: dict[str, Any]) -> dict[str, float]:
+def tool_attributes(data: _Data) -> dict[str, float]:
     """What a run says about couplings and devices in one number each: the greatest of tools and rigid tools."""
     each = [_attributes(data, prefix) for prefix in ("", "rigid_") if f"{prefix}coupling_excess" in data]
     return {name: max(one[name] for one in each) for name in (each[0] if each else ())}
 
 
-def _attributes(data: dict[str, Any], prefix: str) -> dict[str, float]:
+def _attributes(data: _Data, prefix: str) -> dict[str, float]:
     values = {name: data[prefix + name][1] for name in UNITS if prefix + name in data}
     flows = [values[name] for name in ("device_work", "human_work", "device_loss", "device_energy")]
     in_play = max(float(np.nanmax(np.abs(flow))) for flow in flows)

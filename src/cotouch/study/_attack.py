@@ -94,6 +94,6 @@ def worst_force(network: Network, *, period: float, corners: int = CORNERS, **sy
     )
 
 
-def _hand(user: int, heights: list[float]) -> dict[str, Any]:
+def _hand(user: int, heights: list[float]) -> dict[str, object]:
     path = [[k * SPACING, height] for k, height in enumerate(heights)]
     return {"user": user + 1, "kind": "force", "path": path}

@@ -42,7 +42,7 @@ class TwoPort:
     bound: float
     saturated: int
 
-    def numbers(self) -> dict[str, Any]:
+    def numbers(self) -> dict[str, object]:
         """For JSON."""
         return {
             "user": self.user + 1,

@@ -1,7 +1,7 @@
 """What happens below the damping bound: first hands can get energy out, then held copies diverge, then free ones."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, final
+from typing import TYPE_CHECKING, final
 
 import numpy as np
 from scipy import optimize
@@ -73,7 +73,7 @@ class Bound:
         passive = all((value >= 0.0) == (fraction >= 1.0) for (_, fraction), value in least.items())
         return stable and self.growth["held"] > 0.0 and self.growth["below"] > 0.0 and passive
 
-    def numbers(self) -> dict[str, Any]:
+    def numbers(self) -> dict[str, object]:
         """For JSON."""
         return {
             "exact_scale": self.exact,

@@ -1,7 +1,7 @@
 """What damping it takes, by which argument, and what each argument covers."""
 
 from dataclasses import dataclass
-from typing import Any, final
+from typing import final
 
 from cotouch.arrays import Float
 from cotouch.network import Certificate, Network, certify, rightmost_root
@@ -46,7 +46,7 @@ class Certificates:
     by_age: Certificate
     period: float
 
-    def numbers(self) -> dict[str, Any]:
+    def numbers(self) -> dict[str, object]:
         """For JSON."""
         return {
             proof.name: {

@@ -3,7 +3,7 @@
 """The figures of the report."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -391,6 +391,6 @@ def _percent(fraction: float) -> str:
     return f"{100.0 * fraction:.0f} %"
 
 
-def _and(numbers: Sequence[Any]) -> str:
+def _and(numbers: Sequence[object]) -> str:
     words = [str(number) for number in numbers]
     return f"{', '.join(words[:-1])} and {words[-1]}" if len(words) > 1 else words[0]

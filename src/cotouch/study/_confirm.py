@@ -1,7 +1,6 @@
 """The rate at which a simulated loop comes to rest, to hold against its rightmost root."""
 
 import math
-from typing import Any
 
 import numpy as np
 
@@ -89,7 +88,7 @@ def _scenario(
 ) -> Scenario:
     # No two alike, no pattern that a mode could be blind to, and mean 0 so that the translation has little to do.
     start = np.sin(1.0 + np.arange(network.size) ** 2)
-    rule: Any = rule_damping(network, ages=network.delay)[:, 0].tolist()
+    rule = rule_damping(network, ages=network.delay)[:, 0].tolist()
     return Scenario.make(
         network=network,
         body={"kind": "point", "mass": mass, "damping": damping, "stiffness": stiffness},

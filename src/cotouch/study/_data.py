@@ -1,8 +1,8 @@
 """The paper's five users, where their file lies, and how this study writes links down."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 from cotouch.errors import ScenarioError
 from cotouch.files import shipped
@@ -51,10 +51,10 @@ def free(
     *,
     duration: float,
     period: float,
-    body: Mapping[str, Any] | None = None,
-    hands: list[dict[str, Any]] | None = None,
+    body: Mapping[str, object] | None = None,
+    hands: Sequence[Mapping[str, object]] | None = None,
     start: bool = True,
-    **synchronisation: Any,
+    **synchronisation: object,
 ) -> Scenario:
     """Copies that start apart (or together) on a common step, held by nobody unless `hands` says so.
 
@@ -67,7 +67,7 @@ def free(
         start: whether copies start apart.
         **synchronisation: options of that table.
     """
-    rule: dict[str, Any] = {"law": "spring", "mode": "constant", "damping": "rule", **synchronisation}
+    rule: dict[str, object] = {"law": "spring", "mode": "constant", "damping": "rule", **synchronisation}
     return Scenario.make(
         network=network,
         body=dict(body or {"kind": "point"}),

@@ -1,7 +1,7 @@
 """What the printed text gets wrong, with the numbers that show it."""
 
 from dataclasses import dataclass
-from typing import Any, final
+from typing import final
 
 import numpy as np
 from scipy import stats
@@ -43,7 +43,7 @@ class Errata:
     spreads: dict[str, float]
     work: dict[float, tuple[float, float]]
 
-    def numbers(self) -> dict[str, Any]:
+    def numbers(self) -> dict[str, object]:
         """For JSON."""
         return {
             "spearman": self.spearman,

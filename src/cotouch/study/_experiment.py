@@ -1,7 +1,7 @@
 """The paper's experiment: five users hold one object at different places, then let go."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, final
+from typing import TYPE_CHECKING, final
 
 import numpy as np
 
@@ -50,7 +50,7 @@ class Trial:
     predicted: complex
     measured: complex
 
-    def numbers(self) -> dict[str, Any]:
+    def numbers(self) -> dict[str, object]:
         """For JSON."""
         return {
             "links": self.links,
@@ -73,7 +73,7 @@ class Experiment:
     worst: Trial
     misjudged: Trial
 
-    def numbers(self) -> dict[str, Any]:
+    def numbers(self) -> dict[str, object]:
         """For JSON."""
         return {name: getattr(self, name).numbers() for name in ("best", "worst", "misjudged")}
 

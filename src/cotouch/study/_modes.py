@@ -1,7 +1,7 @@
 """Freshest sample against constant indexing delay, buffered and self-paced, on one jittery, lossy channel."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple, final
+from typing import TYPE_CHECKING, NamedTuple, final
 
 import numpy as np
 from scipy import stats
@@ -57,7 +57,7 @@ class ModeRun:
         ages = self.run["age"].values[(time > 2.0) & np.isfinite(self.run["age"].values)]
         return np.asarray(ages, dtype=np.float64)
 
-    def numbers(self) -> dict[str, Any]:
+    def numbers(self) -> dict[str, object]:
         """For JSON."""
         ages = self.ages
         return {
@@ -113,7 +113,7 @@ class Modes:
     seeds: tuple[int, ...]
     savings: dict[str, Saving]
 
-    def numbers(self) -> dict[str, Any]:
+    def numbers(self) -> dict[str, object]:
         """For JSON."""
         return {
             name: way.numbers()
@@ -136,7 +136,7 @@ def modes(network: Network, *, period: float) -> Modes:
     base = holding(network, release=RELEASE, duration=DURATION, period=period).replace(
         seed=_SEED, channel={"jitter": {"kind": "uniform", "scale": JITTER}, "loss": LOSS}
     )
-    table: dict[str, dict[str, Any]] = {
+    table: dict[str, dict[str, object]] = {
         "buffered": {"mode": "constant"},
         "buffered 99 %": {"mode": "constant", "quantile": 0.99},
         "self-paced": {"mode": "self-paced"},

@@ -7,7 +7,7 @@ from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, final
+from typing import final
 
 from cotouch.files import folder, prepare, write
 from cotouch.interrupt import interruptible
@@ -75,7 +75,7 @@ class Reproduction:
     seconds: float
 
     @property
-    def numbers(self) -> dict[str, Any]:
+    def numbers(self) -> dict[str, object]:
         """All numbers, ready for JSON."""
         return {
             "confirmed": self.confirmed,

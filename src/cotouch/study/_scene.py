@@ -1,7 +1,5 @@
 """Five users with different devices at one block of a thousand nodes: the scene of the chapter in three dimensions."""
 
-from typing import Any
-
 from cotouch.network import Network
 from cotouch.scenario import Mode, Scenario
 
@@ -60,12 +58,12 @@ def scene(network: Network, mode: Mode, *, shape: tuple[int, int, int] = SHAPE, 
     )
 
 
-def tools(shape: tuple[int, int, int]) -> list[dict[str, Any]]:
+def tools(shape: tuple[int, int, int]) -> list[dict[str, object]]:
     """Two users pull at opposite upper edges, two squeeze the block between them, one presses from above."""
     long, wide, high = ((extent - 1) * SPACING for extent in shape)
     off = 0.012  # from skin to centre before the touch
     # Where it starts, where the hand goes from there, what the tool is, what the device is.
-    rows: list[tuple[list[float], list[float], dict[str, Any], dict[str, Any]]] = [
+    rows: list[tuple[list[float], list[float], dict[str, object], dict[str, object]]] = [
         (
             [0.0, 0.5 * wide, high],
             [-0.038, 0.0, 0.015],  # more than this a PHANToM's motors cannot hold
@@ -101,5 +99,5 @@ def tools(shape: tuple[int, int, int]) -> list[dict[str, Any]]:
     ]
 
 
-def _touch(*, friction: float = 0.0) -> dict[str, Any]:
+def _touch(*, friction: float = 0.0) -> dict[str, object]:
     return {"kind": "touch", "radius": 0.01, "stiffness": 2000.0, "damping": 1.0, "friction": friction}

@@ -1,7 +1,7 @@
 """Theorem 1 on a solid in three dimensions, with all four blocks of the paper's Fig. 2 for each of five users."""
 
 from dataclasses import dataclass
-from typing import Any, final
+from typing import final
 
 import numpy as np
 
@@ -99,7 +99,7 @@ class Solid:
         every = [*(run.blocks for run in self.runs.values()), self.below]
         return max(max(found.energy_residual, found.device_residual) for found in every)
 
-    def numbers(self) -> dict[str, Any]:
+    def numbers(self) -> dict[str, object]:
         """For JSON."""
         return {
             "nodes": int(self.places.shape[0]),

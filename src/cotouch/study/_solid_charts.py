@@ -2,7 +2,7 @@
 # matplotlib's keywords have no types
 """The figures of the chapter in three dimensions."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,6 +15,8 @@ from cotouch.study._solid import BELOW, Solid
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from matplotlib.patches import PathPatch
+    from matplotlib.path import Path
 
 
 # The eye: from the front, the left and above [degrees]; user 4 is at the back.
@@ -110,7 +112,7 @@ def _solid(panel: "Axes", found: Solid, moved: Float, users: Long, *, turn: floa
     panel.set_axis_off()
 
 
-def _path(polygons: Float) -> Any:
+def _path(polygons: Float) -> "Path":
     """Many closed polygons as one path, so that no seams show between them."""
     from matplotlib.path import Path
 
@@ -120,7 +122,7 @@ def _path(polygons: Float) -> Any:
     return Path(points, codes)
 
 
-def _grid(found: Solid, places: Float, front: Bool, turn: float) -> Any:
+def _grid(found: Solid, places: Float, front: Bool, turn: float) -> "PathPatch":
     """Springs on the faces that are seen; the diagonals of the triangles are none."""
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path

@@ -1,7 +1,7 @@
 """Theorem 1, its three items, the cases after it and what follows from it, each with a measured number."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, final
+from typing import TYPE_CHECKING, Literal, final
 
 import numpy as np
 
@@ -54,7 +54,7 @@ class Claim:
         """The verdict."""
         return self.measured <= self.limit if self.sign == "≤" else self.measured >= self.limit
 
-    def numbers(self) -> dict[str, Any]:
+    def numbers(self) -> dict[str, object]:
         """For JSON."""
         return {
             "item": self.item,
@@ -121,7 +121,7 @@ class Theorem:
         runs = [self.attack.run, self.restless, self.held, *self.released.values(), *self.chains.values()]
         return max(float(run.attrs["energy_residual"]) for run in runs)
 
-    def numbers(self) -> dict[str, Any]:
+    def numbers(self) -> dict[str, object]:
         """For JSON."""
         return {
             "claims": [claim.numbers() for claim in self.claims],

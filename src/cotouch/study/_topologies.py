@@ -1,11 +1,11 @@
 """Which links to choose: all connected graphs, looked at one by one."""
 
 from dataclasses import dataclass
-from typing import Any, Literal, TypeAlias, final
+from typing import Literal, TypeAlias, final
 
 from cotouch.arrays import Float
-from cotouch.network import Network, Pair
-from cotouch.planning import survey
+from cotouch.network import Convention, Network, Pair
+from cotouch.planning import ProblemOptions, survey
 from cotouch.study._data import names
 
 Objective: TypeAlias = Literal["equation", "matrix", "decay"]
@@ -97,7 +97,7 @@ class Topologies:
         """What the matrix convention takes for the worst choice."""
         return self.network.with_links(self.graphs[self.rankings["matrix"].worst])
 
-    def numbers(self) -> dict[str, Any]:
+    def numbers(self) -> dict[str, object]:
         """For JSON."""
         chosen = {
             objective: {
@@ -118,13 +118,13 @@ class Topologies:
 
 def topologies(network: Network) -> Topologies:
     """Looks at every connected choice of six links."""
-    conventions = ("equation", "matrix")
-    fine: dict[str, dict[str, Any]] = {word: {"convention": word, "time_unit": TIME_UNIT} for word in conventions}
+    conventions: tuple[Convention, ...] = ("equation", "matrix")
+    fine: dict[str, ProblemOptions] = {word: {"convention": word, "time_unit": TIME_UNIT} for word in conventions}
     # 0.04 s is not a multiple of the coarse unit; a delay rounds up, as an index delay does.
-    coarse: dict[str, dict[str, Any]] = {
+    coarse: dict[str, ProblemOptions] = {
         f"coarse {word}": {"convention": word, "time_unit": COARSE_UNIT, "rounding": "up"} for word in conventions
     }
-    found = survey(network, links=LINKS, objectives=fine | coarse | {"decay": {"objective": "decay"}})
+    found = survey(network, links=LINKS, objectives={**fine, **coarse, "decay": {"objective": "decay"}})
     objectives: tuple[Objective, ...] = ("equation", "matrix", "decay")
     rankings: dict[Objective, Ranking] = {
         name: _ranking(name, found.values[name], found.never[name]) for name in objectives

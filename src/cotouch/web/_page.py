@@ -4,7 +4,7 @@ import asyncio
 import json
 import math
 from collections import deque
-from typing import Any, Final, final
+from typing import Final, final
 
 from starlette.websockets import WebSocket
 
@@ -108,7 +108,7 @@ class Page:
         self._state = state
         self._hand_over()
 
-    def tell(self, **message: Any) -> None:
+    def tell(self, **message: object) -> None:
         """Hands over an answer."""
         self._texts.append(json.dumps(message))
         self._hand_over()

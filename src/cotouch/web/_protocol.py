@@ -137,7 +137,7 @@ class Do(Table):
     type: Literal["do"]
     id: Annotated[int, Field(ge=0, lt=1 << 53)]
     what: Annotated[str, Field(pattern=r"^[a-z]{1,20}$")]
-    parts: dict[str, Any] = Field(default_factory=dict[str, Any])
+    parts: dict[str, object] = Field(default_factory=dict[str, object])
 
     def command(self) -> Command:
         """What the session is to do.

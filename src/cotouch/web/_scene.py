@@ -2,7 +2,6 @@
 
 import base64
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -19,7 +18,9 @@ _EVENTS = 40  # of the last
 _MOST_EDGES = 60_000
 
 
-def scene_message(scene: Scene, *, version: str, started: str, acts: bool, page: str | None = None) -> dict[str, Any]:
+def scene_message(
+    scene: Scene, *, version: str, started: str, acts: bool, page: str | None = None
+) -> dict[str, object]:
     """The scene, as JSON's values.
 
     Args:
@@ -69,7 +70,7 @@ def scene_message(scene: Scene, *, version: str, started: str, acts: bool, page:
     }
 
 
-def nodes_of_points(body: Body) -> npt.NDArray[np.integer[Any]]:
+def nodes_of_points(body: Body) -> npt.NDArray[np.integer]:
     """The node that carries most of each drawn point, (points,); of tools none that there is."""
     if body.rigid and body.skin is not None:
         every = np.arange(body.shared, body.shared + int(body.skin.vertices.shape[0]))
@@ -118,7 +119,7 @@ def state_message(
     start: float,
     control: str,
     pages: int,
-) -> dict[str, Any]:
+) -> dict[str, object]:
     """How things are, as JSON's values.
 
     Args:
@@ -130,8 +131,8 @@ def state_message(
         pages: how many watch.
     """
     here = {entry.slot for entry in overview.roster.members}
-    members: dict[str, Any] = {}
-    ends: dict[str, Any] = {}
+    members: dict[str, object] = {}
+    ends: dict[str, object] = {}
     for slot in sorted(here | set(overview.statuses) | set(overview.alive)):
         status = overview.statuses.get(slot)
         view = views.get(slot)
@@ -173,11 +174,11 @@ def state_message(
     }
 
 
-def _law(overview: Overview) -> dict[str, Any] | None:
+def _law(overview: Overview) -> dict[str, object] | None:
     """Which law the links have, and what is felt of it; None before anybody moves."""
     here = {entry.slot for entry in overview.roster.members}
     found = felt([status for slot, status in sorted(overview.statuses.items()) if slot in here])
-    return None if found is None else vars(found) | {"noticed": NOTICED_DRAG}
+    return None if found is None else {**vars(found), "noticed": NOTICED_DRAG}
 
 
 def _told(view: CopyView | None) -> str | None:
@@ -187,7 +188,7 @@ def _told(view: CopyView | None) -> str | None:
     return "free" if view is None or view.direct else None
 
 
-def _cutting(body: Body, faces: CutSkin | None) -> dict[str, Any] | None:
+def _cutting(body: Body, faces: CutSkin | None) -> dict[str, object] | None:
     """What the drawn triangles of a body that can be cut hang on; see `CutSkin`."""
     if faces is None:
         return None
@@ -199,7 +200,7 @@ def _cutting(body: Body, faces: CutSkin | None) -> dict[str, Any] | None:
     }
 
 
-def _packed(array: Any, kind: str) -> str:
+def _packed(array: npt.ArrayLike, kind: str) -> str:
     return base64.b64encode(np.ascontiguousarray(array, dtype=kind).tobytes()).decode("ascii")
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, final
+from typing import Literal, final
 
 from cotouch.members import LinkStatus, Status
 from cotouch.observers import Overview
@@ -27,7 +27,7 @@ class Verdict:
     level: Literal["good", "warn", "bad"]
     text: str
 
-    def as_json(self) -> dict[str, Any]:
+    def as_json(self) -> dict[str, object]:
         """As JSON's values."""
         return {"level": self.level, "text": self.text}
 
