@@ -50,7 +50,6 @@ INSIDERS = {
     "drivers/test_coming_back.py": {"haptics"},
     "drivers/test_processes.py": {"haptics"},
     "session/test_cuts.py": {"members"},
-    "session/test_keep.py": {"members"},
 }
 
 

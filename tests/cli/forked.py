@@ -2,6 +2,7 @@
 
 import multiprocessing
 import os
+import runpy
 import subprocess
 import sys
 from collections.abc import Sequence
@@ -14,15 +15,13 @@ SERVER.set_forkserver_preload(["tests.cli.forked", "cotouch.cli", "cotouch.sessi
 
 def _ran(arguments: Sequence[str], files: Sequence[Path]) -> None:
     """What the installed `cotouch` does, with these files as its input, output and complaints."""
-    from cotouch.__main__ import run
-
     for number, (path, flags) in enumerate(zip(files, (os.O_RDONLY, os.O_WRONLY, os.O_WRONLY), strict=True)):
         opened = os.open(path, flags)
         os.dup2(opened, number)
         os.close(opened)
     sys.stdin = open(0, closefd=False)  # noqa: SIM115  multiprocessing closed it
     sys.argv = ["cotouch", *arguments]
-    run()
+    runpy.run_module("cotouch", run_name="__main__")
 
 
 class Forked:

@@ -1,39 +1,56 @@
 """What `cotouch simulate` says of steps that had to be closed."""
 
+import json
+from pathlib import Path
+from typing import Any
+
 import numpy as np
+import pytest
 import xarray as xr
-from rich.console import Console
-from rich.table import Table
+from tests.cli.commands import here
+from tests.cli.test_cli import SMALL
 
-from cotouch.cli._simulate import Closure, _closure, closure_of
-
-
-def shown(factor: float, alarms: int) -> tuple[Closure | None, str]:
-    steps = ("user", "step")
-    run = xr.Dataset(
-        {
-            "closure": (steps, np.array([[0.0, 2e-3, 1e-3], [0.0, 0.0, -4e-3]])),
-            "closure_factor": (steps, np.array([[0.0, factor, factor], [0.0, 0.0, 0.0]])),
-            "closure_alarms": (steps, np.array([[0.0, alarms, alarms], [0.0, 0.0, 0.0]])),
-        }
-    )
-    figures, console = closure_of(run), Console(width=200)
-    grid = Table.grid()
-    _closure(figures, grid)
-    with console.capture() as text:
-        console.print(grid)
-    return figures, text.get()
+from cotouch.scenario import Scenario
+from cotouch.simulation import simulate
 
 
-def test_a_large_closure_is_told() -> None:
-    figures, text = shown(0.05, 7)
-    assert figures == {"work_j": [2e-3, 4e-3], "largest_factor": 0.05, "alarms": 7}
-    assert "by at most 5.0e-02; 7 steps by more than 1 %" in text
+@pytest.fixture(scope="module")
+def linear(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, xr.Dataset]:
+    """A run without such steps."""
+    path = tmp_path_factory.mktemp("linear") / "small.toml"
+    path.write_text(SMALL)
+    return path, simulate(Scenario.read(path))
 
 
-def test_a_small_one_is_said_without_a_word_more() -> None:
-    assert shown(1e-5, 0)[1].strip().endswith("by at most 1.0e-05")
+def shown(path: Path) -> tuple[dict[str, Any], str]:
+    return json.loads(here("simulate", path, "--json").stdout), here("simulate", path).stdout
 
 
-def test_a_linear_body_has_none() -> None:
-    assert closure_of(xr.Dataset()) is None
+@pytest.mark.parametrize(
+    ("factor", "alarms", "said"),
+    [
+        (0.05, 7, "changed velocities by at most 5.0e-02; 7 steps by more than 1 %: use shorter steps"),
+        (1e-5, 0, "changed velocities by at most 1.0e-05"),
+    ],
+)
+def test_how_much_is_told_and_a_warning_where_it_is_large(
+    linear: tuple[Path, xr.Dataset], factor: float, alarms: int, said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path, run = linear
+    work = np.zeros((2, run.sizes["step"]))
+    largest, counted = np.zeros_like(work), np.zeros_like(work)
+    work[0, 1:], work[0, 2:], work[1, 2:] = 2e-3, 1e-3, -4e-3
+    largest[0, 1:], counted[0, 1:] = factor, alarms
+    closed = {"closure": work, "closure_factor": largest, "closure_alarms": counted}
+    run = run.assign({name: (("user", "step"), values) for name, values in closed.items()})
+    monkeypatch.setattr("cotouch.simulation.simulate", lambda _: run)
+    monkeypatch.setenv("COLUMNS", "200")
+    figures, text = shown(path)
+    assert figures["closure"] == {"work_j": [2e-3, 4e-3], "largest_factor": factor, "alarms": alarms}
+    assert [line.split("closure")[1].strip() for line in text.splitlines() if "closure" in line] == [said]
+
+
+def test_a_linear_body_has_none(linear: tuple[Path, xr.Dataset]) -> None:
+    figures, text = shown(linear[0])
+    assert "closure" not in figures
+    assert "closure" not in text

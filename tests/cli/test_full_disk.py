@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 from tests.cli.commands import here
 from tests.cli.shown import shown
+from tests.cli.test_session_commands import invitation
 from tests.session.world import World
 
-from cotouch.cli._session import numbers, sentence
 from cotouch.members import PartOutcome
 from cotouch.recording import read_recording
 
@@ -72,19 +72,21 @@ def test_the_table_shows_whose_recording_stopped(tmp_path: Path) -> None:
     assert said in shown(world)
 
 
-def test_what_a_member_says_at_its_end() -> None:
-    taken = PartOutcome(
-        name="Ann", slot=0, status=None, why="time", pace={}, recorded=3, trouble="ends after 3 of 9 steps: x"
-    )
-    assert numbers(taken)["recording_trouble"] == "ends after 3 of 9 steps: x"
-    assert sentence(taken)
+def test_what_a_member_says_at_its_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    trouble, path = "ends after 3 of 9 steps: x", tmp_path / "a.mcap"
+    taken = PartOutcome(name="Ann", slot=0, status=None, why="time", pace={}, recorded=3, trouble=trouble)
+    monkeypatch.setattr("cotouch.session.join", lambda *_, **__: taken)
+    options = ("join", invitation(), "--headless", "--record", path)
+    said, numbers = here(*options), here(*options, "--json")
+    assert json.loads(numbers.stdout)["recording_trouble"] == trouble
+    assert said.stdout == "Ann did not get to take part\n"
+    for done in (said, numbers):
+        assert (done.returncode, done.stderr) == (1, f"cotouch: the recording {path} {trouble}\n")
 
 
 @pytest.mark.parametrize("made", ["folder", "file", "pipe", "nowhere"])
 def test_a_recording_that_cannot_be_is_refused_before_anything_else(tmp_path: Path, made: str) -> None:
     """No host is asked, and nothing compiled: the invitation leads to nobody."""
-    from tests.cli.test_session_commands import invitation
-
     path = tmp_path / "a.mcap"
     if made == "folder":
         path.mkdir()

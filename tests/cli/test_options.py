@@ -1,11 +1,11 @@
 """What one command takes, another does not refuse."""
 
-import inspect
 from pathlib import Path
 
+import typer
 from tests.cli.commands import here
 
-from cotouch.cli._app import body
+from cotouch.cli import app
 from cotouch.scenario import FileTable, Scenario
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -19,7 +19,8 @@ def test_a_file_of_a_live_session_is_a_scenario() -> None:
 
 
 def test_the_body_command_takes_every_option_of_a_scenarios_body() -> None:
-    own = set(inspect.signature(body).parameters)
+    command = typer.main.get_group(app).commands["body"]
+    own = {parameter.name for parameter in command.params}
     # --most: a file has one of the two; parts are tables, which only a file of a scenario can say.
     together = {"most_triangles", "most_elements", "parts"}
     assert set(FileTable.model_fields) - {"kind"} - together <= own

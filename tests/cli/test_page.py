@@ -13,7 +13,6 @@ from typer.testing import CliRunner
 from websockets.sync.client import connect
 
 from cotouch.cli import _page, app
-from cotouch.cli._output import say
 from cotouch.errors import SessionError, TransportError
 from cotouch.members import Part
 from cotouch.session import demo_session, open_host
@@ -21,18 +20,19 @@ from cotouch.web import PageAddress
 
 
 def test_nothing_is_served_unless_wanted():
-    with _page.page(wanted=False, port=70_000, listen="nonsense.", tell=say) as beside:
+    with _page.page(wanted=False, port=70_000, listen="nonsense.", tell=print) as beside:
         assert beside is None
 
 
-def test_a_stage_is_served_and_the_address_said(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):
+def test_a_stage_is_served_and_the_address_said(monkeypatch: pytest.MonkeyPatch):
+    told: list[str] = []
     monkeypatch.setattr(_page, "desktop", lambda: False)
-    with _page.page(wanted=True, port=0, listen="127.0.0.1", tell=say) as beside:
+    with _page.page(wanted=True, port=0, listen="127.0.0.1", tell=told.append) as beside:
         assert beside is not None
         with beside(FakeSessionApi("1d")):
-            said = capsys.readouterr().err
+            (said,) = told
             url = said.split()[-1]
-            assert said.startswith("cotouch: the page is at http://127.0.0.1:")
+            assert said.startswith("the page is at http://127.0.0.1:")
             own, token = url.split("/#token=")
             with connect(own.replace("http", "ws") + "/ws", origin=own) as page:
                 page.send(json.dumps({"type": "hello", "version": 3, "token": token}))
@@ -41,30 +41,30 @@ def test_a_stage_is_served_and_the_address_said(capsys: pytest.CaptureFixture[st
             connect(own.replace("http", "ws") + "/ws", origin=own)
 
 
-def test_who_can_reach_it_from_elsewhere_is_said(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):
+def test_who_can_reach_it_from_elsewhere_is_said(monkeypatch: pytest.MonkeyPatch):
+    told: list[str] = []
     monkeypatch.setattr(PageAddress, "local", False)  # without opening a port to others here
-    with _page.page(wanted=True, port=0, listen="127.0.0.1", tell=say) as beside:
+    with _page.page(wanted=True, port=0, listen="127.0.0.1", tell=told.append) as beside:
         assert beside is not None
         with beside(FakeSessionApi("1d")):
-            assert "others can reach 127.0.0.1" in capsys.readouterr().err
+            assert told[1].startswith("others can reach 127.0.0.1")
 
 
 @pytest.mark.parametrize(("kind", "opened"), [(webbrowser.BackgroundBrowser, 1), (webbrowser.GenericBrowser, 0)])
-def test_a_browser_gets_a_ticket_and_only_one_with_a_window(
-    kind: type, opened: int, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-):
+def test_a_browser_gets_a_ticket_and_only_one_with_a_window(kind: type, opened: int, monkeypatch: pytest.MonkeyPatch):
+    told: list[str] = []
     calls: list[str] = []
     monkeypatch.setattr(_page, "desktop", lambda: True)
     browser = kind("made-up")
     monkeypatch.setattr(browser, "open", calls.append)
     monkeypatch.setattr(webbrowser, "get", lambda: browser)
-    with _page.page(wanted=True, port=0, listen="127.0.0.1", tell=say) as beside:
+    with _page.page(wanted=True, port=0, listen="127.0.0.1", tell=told.append) as beside:
         assert beside is not None
         with beside(FakeSessionApi("1d")):
             for thread in threading.enumerate():
                 if getattr(thread, "_target", None) is _page._open:
                     thread.join(10)
-    token = capsys.readouterr().err.split("#token=")[1].strip()
+    token = told[0].split("#token=")[1]
     assert len(calls) == opened
     assert all("/open?ticket=" in call and token not in call for call in calls)
 

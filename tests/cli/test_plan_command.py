@@ -11,7 +11,6 @@ import pytest
 from tests.cli.commands import FIVE_USERS, here
 
 from cotouch import planning
-from cotouch.cli._plan import run
 from cotouch.network import Network
 from cotouch.session import Measured
 
@@ -177,26 +176,13 @@ def test_a_body_that_is_not_modal_is_one_sentence(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("cold", [True, False])
-def test_a_first_run_says_that_it_compiles_and_has_a_first_answer(
-    cold: bool, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_first_run_says_that_it_compiles_and_has_a_first_answer(cold: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("cotouch.planning.compiles", lambda *_: cold)
-    none = {"mass": None, "damping": None, "stiffness": None}
-    run(
-        Path(FIVE_USERS),
-        require=[],
-        forbid=[],
-        links="6",
-        tune=None,
-        figures=None,
-        as_json=True,
-        **{"objective": "damping", "method": "auto", **none},
-    )
-    said = capsys.readouterr()
-    compiling, *first = said.err.splitlines() or [""]
+    done = here("plan", FIVE_USERS, "--links", "6", "--objective", "damping", "--json")
+    compiling, *first = done.stderr.splitlines() or [""]
     assert compiling == ("Compiling, which takes about two minutes, once on this machine." if cold else "")
     assert [line[:47] for line in first] == (["Meanwhile, the best of 205 choices of 6 links, "] if cold else [])
-    assert json.loads(said.out)["worst_status"] == "proved"
+    assert json.loads(done.stdout)["worst_status"] == "proved"
 
 
 def test_a_range_of_links_tells_the_knee() -> None:
@@ -276,9 +262,7 @@ def test_the_knee_figure_shows_what_the_plan_says(tmp_path: Path, monkeypatch: p
     assert values[1] == pytest.approx(5.1, abs=0.05)
 
 
-def test_an_interrupted_tuning_still_tells_the_plan(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_an_interrupted_tuning_still_tells_the_plan(monkeypatch: pytest.MonkeyPatch) -> None:
     """And the springs found so far; a plan of several numbers of links tells those there are."""
     tuned = planning.tune_springs(Network.read(FIVE_USERS), damping_limit=42.0, rounds=0)
 
@@ -286,12 +270,9 @@ def test_an_interrupted_tuning_still_tells_the_plan(
         raise planning.JointInterrupted(planning.Joint(tuned, 1, 1, ranked))
 
     monkeypatch.setattr("cotouch.planning.plan_springs", interrupt)
-    options = {"require": [], "forbid": [], "figures": None, "as_json": True, "objective": "decay", "method": "auto"}
-    none = dict.fromkeys(("mass", "damping", "stiffness", "damping_limit", "drag_limit", "max_degree"))
-    grid = {"time_unit": 0.01, "rounding": "exact", "convention": "equation", "lost": "nothing", "seed": 0}
-    with pytest.raises(KeyboardInterrupt):
-        run(Path(FIVE_USERS), links="6", tune=42.0, **options, **none, **grid)
-    said = json.loads(capsys.readouterr().out)
+    done = here("plan", FIVE_USERS, "--links", "6", "--objective", "decay", "--tune-springs", "42", "--json")
+    assert (done.returncode, done.stderr) == (130, "cotouch: interrupted\n")
+    said = json.loads(done.stdout)
     assert said["best"]["value"] == pytest.approx(-1.428553, abs=1e-6)
     assert said["tuned"]["after"] == tuned.after
     assert len(said["top"]) == 5

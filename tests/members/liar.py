@@ -11,13 +11,13 @@ from tests.samples.budgets import made_up, with_amounts
 from tests.session.world import Person, entropy
 
 from cotouch.errors import SessionError
-from cotouch.members import Decision, Status, write
-from cotouch.members._law_check import signature_of
-from cotouch.members._messages import LAST_EPOCH, Decided, Join
-from cotouch.members._neighbours import BUDGET
-from cotouch.members._succession import _CONTEXT
+from cotouch.members import Decided, Decision, Former, Status, genuine, write
 from cotouch.peer import Message, Sample
 from cotouch.samples import Heading, Identity, SampleLink
+
+BUDGET = "link.budget"  # what ends say of their ages
+SIGNED = b"cotouch roster 1\0"  # stands before what a roster's signature is over
+BEYOND = 1 << 52  # a number that no roster may have
 
 
 class Liar:
@@ -193,7 +193,7 @@ class Liar:
         others = [entry for entry in roster.members if entry.key != own]
         harms: list[dict[str, Any]] = [
             {"links": []},
-            {"epoch": LAST_EPOCH},
+            {"epoch": BEYOND},
             {"epoch": roster.epoch + (1 << 16), "links": []},
             {"members": [entry for entry in roster.members if entry.key == own], "links": []},
             {"members": [*others, *(e for e in roster.members if e.key == own)]},
@@ -201,12 +201,14 @@ class Liar:
             {"members": [e.model_copy(update={"start": "f" * 16}) for e in roster.members]},
             {"members": [e.model_copy(update={"name": "nobody at all"}) if e in others else e for e in roster.members]},
             {"banned": [entry.key for entry in others]},
-            {"former": [{"key": stranger, "slots": [e.slot for e in roster.members]}]},
+            {"former": [Former(key=stranger, slots=tuple(e.slot for e in roster.members))]},
         ]
-        change = {"epoch": min(roster.epoch + 1, LAST_EPOCH)} | harms[int(self._rng.integers(0, len(harms)))]
+        change = {"epoch": min(roster.epoch + 1, BEYOND)} | harms[int(self._rng.integers(0, len(harms)))]
         said = roster.model_copy(update=change)  # unchecked, as is what is made of it
-        signature = self.person.identity.sign(_CONTEXT + world.host_identity.public + write(said)).hex()
+        host = world.host_identity.public
+        signature = self.person.identity.sign(SIGNED + host + write(said)).hex()
         decision = Decision.model_construct(roster=said, signer=own, signature=signature)
+        assert genuine(decision, host)
         for commanded in ([*chain[:1], decision], [decision], [*chain, decision]):
             self._send("roster", write(Decided.model_construct(chain=commanded)))
 
@@ -217,24 +219,14 @@ class Liar:
 
     def _crowded(self, now: float) -> None:
         del now
-        world = self.person.world
+        world, own = self.person.world, self.person.member._asking.request
         if len(self._company) < 8:
             identity = Identity.make(entropy(77_000 + len(self._company)))
             self._company.append(world.controls.join(identity))
             world.directory[identity.public] = f"crowd {len(self._company)}"
         for at, control in enumerate(self._company):
             name = ("Ann", "Ben", "nobody", f"crowd {at}")[at % 4]
-            control.send(
-                "join",
-                write(
-                    Join(
-                        name=name,
-                        fingerprint=world.replica.fingerprint,
-                        version="lie",
-                        law=signature_of(world.session.scenario),
-                    )
-                ),
-            )
+            control.send("join", write(own.model_copy(update={"name": name})))
             control.poll()
 
     def _statuses(self, now: float) -> None:

@@ -4,9 +4,17 @@ from tests.members.test_coordinator import BODY, NETWORK, World, key
 from tests.session.world import entropy
 from tests.traversal.shown import place_at
 
-from cotouch.members import Admission, Entry, Roster, SessionFile, addresses_of
-from cotouch.members._law_check import signature_of
-from cotouch.members._messages import MOST_NAMES, AddressProof, Join, NameOwner
+from cotouch.laws import law_named
+from cotouch.members import (
+    AddressProof,
+    Admission,
+    Entry,
+    Join,
+    NameOwner,
+    Roster,
+    SessionFile,
+    addresses_of,
+)
 from cotouch.samples import Identity
 from cotouch.traversal import Addresses
 
@@ -15,14 +23,14 @@ GUESTS = SessionFile.from_toml("[session]\nusers = 4\n", law=SESSION.law)
 
 
 def request(name: str, *, place: AddressProof | None = None) -> Join:
-    return Join(name=name, fingerprint=BODY, version="1", law=signature_of(SESSION.scenario), place=place)
+    return Join(name=name, fingerprint=BODY, version="1", law=law_named(SESSION.law).signature, place=place)
 
 
 def entry(slot: int, name: str, number: int) -> Entry:
     return Entry(slot=slot, name=name, key=key(number).hex())
 
 
-def full(count: int = MOST_NAMES) -> Roster:
+def full(count: int = 256) -> Roster:
     """With so many names of people who are gone."""
     return Roster(names=[NameOwner(name=f"gone {k}", key=f"{k + 1000:064x}") for k in range(count)])
 
@@ -31,7 +39,7 @@ def test_a_session_knows_only_so_many_names() -> None:
     admission = Admission(GUESTS, fingerprint=BODY)
     assert "256 names" in str(admission.slot(request("Ann"), key(1).hex(), full(), 0.0))
     assert admission.slot(request("gone 0"), f"{1000:064x}", full(), 0.0) == 0
-    assert admission.slot(request("Ann"), key(1).hex(), full(MOST_NAMES - 1), 0.0) == 0
+    assert admission.slot(request("Ann"), key(1).hex(), full(255), 0.0) == 0
 
 
 def test_a_process_that_begins_anew_again_and_again_is_let_in_every_two_seconds() -> None:
@@ -103,7 +111,7 @@ def test_nobody_is_taken_up_who_was_sent_away_has_no_slot_or_one_name_too_many()
 
 def test_links_of_another_law_are_refused_by_both_names() -> None:
     admission = Admission(GUESTS, fingerprint=BODY)
-    own = signature_of(GUESTS.scenario).split()[0]
+    own = law_named(GUESTS.law).signature.split()[0]
     for theirs, name in (("wave 0123", '"wave"'), ("", '"none"'), (f"{own} of-another-version", f'"{own}"')):
         why = admission.slot(request("Ann").model_copy(update={"law": theirs}), key(1).hex(), Roster(), 0.0)
         assert isinstance(why, str)

@@ -4,20 +4,22 @@ import pytest
 
 from cotouch.control import Message
 from cotouch.errors import NetworkError, SessionError
+from cotouch.laws import law_named
 from cotouch.members import (
     ABSENT_AFTER,
     Admission,
     Coordinator,
     Entry,
+    Join,
     LinkStatus,
+    Refused,
     Roster,
     SessionFile,
     Status,
     present_links,
+    read,
     write,
 )
-from cotouch.members._law_check import signature_of
-from cotouch.members._messages import LAST_EPOCH, MOST_BANNED, Join, Refused, read
 
 HOST = bytes([255]) * 32
 BODY = [1.0, 2.0]
@@ -47,7 +49,7 @@ class World:
     def join(self, number: int, name: str, body: list[float] = BODY, *, start: int = 0) -> None:
         self.present.add(key(number))
         self.tick()
-        law = signature_of(self.session.scenario)
+        law = law_named(self.session.law).signature
         request = Join(name=name, fingerprint=body, version="1", law=law, start=f"{start:016x}")
         self.coordinator.receive(Message(key(number), "join", write(request), direct=False), self.now)
         self.tick()
@@ -358,9 +360,10 @@ def test_ways_to_slots_that_nobody_has_are_of_no_use() -> None:
 
 def test_no_number_of_changes_is_an_error() -> None:
     world = World()
-    world.coordinator.adopt(Roster(epoch=LAST_EPOCH - 1), 0.0)
+    last = (1 << 52) - 1
+    world.coordinator.adopt(Roster(epoch=last), 0.0)
     world.join(1, "Ann")
-    assert world.roster.epoch == LAST_EPOCH - 1
+    assert world.roster.epoch == last
     assert world.names == {}
 
 
@@ -438,9 +441,9 @@ def test_who_is_in_an_adopted_roster_is_waited_for_as_if_seen_now_and_measured_a
 def test_only_so_many_are_kept_out() -> None:
     world = World()
     world.join(1, "Ann")
-    full = [f"{number:064x}" for number in range(1, MOST_BANNED + 1)]
+    full = [f"{number:064x}" for number in range(1, 257)]
     world.coordinator.adopt(world.roster.model_copy(update={"banned": full}), world.now)
-    with pytest.raises(SessionError, match=f"{MOST_BANNED} users have already been expelled"):
+    with pytest.raises(SessionError, match="256 users have already been expelled"):
         world.coordinator.expel("Ann")
     assert world.names == {0: "Ann"}
     world.coordinator.expel("Ann", ban=False)
@@ -586,7 +589,7 @@ def test_who_does_not_fit_need_not_ask_again_and_who_finds_no_room_may() -> None
         world.join(number, f"guest {number}")
     final: list[bool] = []
     for number, body in ((7, BODY), (8, [5.0, 5.0])):
-        law = signature_of(world.session.scenario)
+        law = law_named(world.session.law).signature
         request = Join(name=f"guest {number}", fingerprint=body, version="1", law=law, start="0" * 16)
         world.coordinator.receive(Message(key(number), "join", write(request), direct=False), world.now)
         (out,) = world.coordinator.tick(world.now, frozenset(world.present))
@@ -598,7 +601,7 @@ def test_who_does_not_fit_need_not_ask_again_and_who_finds_no_room_may() -> None
 
 def test_who_joins_and_is_never_there_is_missed_too() -> None:
     world = World()
-    law = signature_of(world.session.scenario)
+    law = law_named(world.session.law).signature
     request = Join(name="Ann", fingerprint=BODY, version="1", law=law, start="0" * 16)
     world.coordinator.receive(Message(key(1), "join", write(request), direct=False), world.now)
     world.tick(ABSENT_AFTER - 0.5)

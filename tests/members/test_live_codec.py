@@ -8,8 +8,7 @@ import pytest
 from tests.members.test_live_law import LIVE, carried, made, seeds, text
 from tests.session.world import World
 
-from cotouch.members import SessionFile
-from cotouch.members._law_check import signature_of
+from cotouch.members import Admission, Join, Roster, read
 from cotouch.recording import Recording, audit, read_recording
 from cotouch.samples import PathLaw, Refusal
 
@@ -101,8 +100,22 @@ def test_an_audit_sees_who_said_other_than_it_may(carried_by_springs: tuple[Worl
     assert "codec" in places(replace(ben, columns={**ben.columns, "said": lying}))
 
 
+def asked(world: World) -> Join:
+    """What somebody says first who comes."""
+    said: list[bytes] = []
+    world.join("Ann").control.send = lambda topic, body, *, to=None: said.append(body) if topic == "join" else None
+    world.run(0.1)
+    request = read(Join, said[0])
+    assert request is not None
+    return request
+
+
 def test_a_session_names_its_codec() -> None:
-    plain, coded = (SessionFile.from_toml(text() + words) for words in ("", CODEC))
-    other = SessionFile.from_toml(text() + CODEC.replace("0.1", "0.2"))
-    assert len({signature_of(one.scenario) for one in (plain, coded, other)}) == 3
-    assert len({one.digest for one in (plain, coded, other)}) == 3
+    """Who has another one has another session, and is not let in to this one."""
+    worlds = [World(text() + words) for words in ("", CODEC, CODEC.replace("0.1", "0.2"))]
+    assert len({world.session.digest for world in worlds}) == 3
+    for host in worlds:
+        admission = Admission(host.session, fingerprint=host.replica.fingerprint)
+        for guest in worlds:
+            why = admission.unfit(asked(guest), "a" * 64, Roster())
+            assert (why is None) if guest is host else ("has a different one" in str(why))

@@ -14,8 +14,7 @@ from tests.session.world import Person, World
 from cotouch.errors import ScenarioError, SessionError
 from cotouch.laboratory import impedance
 from cotouch.laws import PAID, Facts, laws
-from cotouch.members import SessionFile, SharedModel, felt
-from cotouch.members._live_law import LiveLaw
+from cotouch.members import LiveLaw, SessionFile, SharedModel, felt
 from cotouch.network import Network
 from cotouch.peer import CopyMemory, FreshestLink, LawLink, Message, Sample
 from cotouch.recording import Recording, audit, read_recording

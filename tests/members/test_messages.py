@@ -5,8 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.members.test_member import three
 
-from cotouch.members import Entry, LinkStatus, Roster, Status, write
-from cotouch.members._messages import Join, Refused, read
+from cotouch.members import Entry, Join, LinkStatus, Refused, Roster, Status, read, write
 
 KINDS = (Entry, Join, Refused, Roster, Status)
 TOPICS = ("join", "leave ", "roster", "refused", "status", "link.keys", "link.budget", "path.candidates", "end", "x.y")

@@ -2,10 +2,9 @@
 
 import numpy as np
 import pytest
+from tests.members.test_shared_model import built, same_body
 from tests.session.world import World
 
-from cotouch.members import SessionFile, SharedModel
-from cotouch.members._shared_model import same_body
 from cotouch.recording import audit, read_recording, recordings_dataset
 
 HAND = """
@@ -86,8 +85,5 @@ def test_an_audit_works_its_energy_out_anew(held: World) -> None:
 
 
 def test_who_built_another_box_is_told_apart() -> None:
-    def built(text: str) -> list[float]:
-        return SharedModel.build(SessionFile.from_toml(text, source="a test")).fingerprint
-
     assert same_body(built(session()), built(session()))
     assert not same_body(built(session()), built(session("[0.1, 0.06, 0.0401]")))

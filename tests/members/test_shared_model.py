@@ -1,13 +1,22 @@
-"""Who built another body, or another world around it, is told apart: newcomers check the arrays of the law."""
+"""Who built another body, or another world around it, is not let in: newcomers check the arrays of the law."""
 
 from tests.session import heavy, turned
 
-from cotouch.members import SessionFile, SharedModel
-from cotouch.members._shared_model import same_body
+from cotouch.laws import law_named
+from cotouch.members import Admission, Join, Roster, SessionFile, SharedModel
 
 
 def built(text: str) -> list[float]:
     return SharedModel.build(SessionFile.from_toml(text, source="a test")).fingerprint
+
+
+def same_body(own: list[float], other: list[float]) -> bool:
+    """Whether a host that built one lets in who built the other."""
+    session = SessionFile.from_toml("[session]\nusers = 2\n")
+    request = Join(name="Ann", fingerprint=other, version="1", law=law_named(session.law).signature)
+    why = Admission(session, fingerprint=own).unfit(request, "a" * 64, Roster())
+    assert why is None or "a different body" in why
+    return why is None
 
 
 def test_another_body() -> None:

@@ -7,8 +7,7 @@ import pytest
 from tests.session.world import Person, World, entropy
 
 from cotouch.errors import SessionError
-from cotouch.members import Decision, Entry, Roster, write
-from cotouch.members._messages import LAST_EPOCH, Decided, NameOwner
+from cotouch.members import Decided, Decision, Entry, NameOwner, Roster, write
 from cotouch.members._succession import MOST_LEAP, Belief, acting, order_of, signed
 from cotouch.samples import Identity
 
@@ -159,7 +158,7 @@ HARMS: list[tuple[Callable[[Roster], Roster], str | None]] = [
     (lambda r: changed(r, members=r.members[:2], links=[(0, 1)]), "leaves out Cleo"),
     (lambda r: changed(r, members=[*r.members[:2], r.members[2].model_copy(update={"slot": 3})], links=[]), None),
     (lambda r: changed(r, members=r.members[:2], links=[], names=r.names[:2]), None),
-    (lambda r: changed(r, epoch=LAST_EPOCH - 1 - r.epoch), None),
+    (lambda r: changed(r, epoch=(1 << 52) - 1 - r.epoch), None),
     (lambda r: changed(r, epoch=MOST_LEAP + 1), None),
     (lambda r: changed(r, banned=[EVE.public.hex()]), None),
     (lambda r: changed(r, members=[*r.members, Entry(slot=9, name="Eve", key=EVE.public.hex())]), None),

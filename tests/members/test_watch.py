@@ -5,7 +5,6 @@ from tests.session.world import World, entropy
 
 from cotouch.control import Message
 from cotouch.members import Entry, SessionWatch, Status
-from cotouch.members._watch import HANDED_ON
 from cotouch.samples import Identity
 
 THREE = """
@@ -43,12 +42,12 @@ def test_members_that_a_watcher_cannot_reach_are_handed_on_by_the_host() -> None
     said, send = list[str](), world.host_control.send
     world.host_control.send = lambda topic, body, *, to=None: (said.append(topic), send(topic, body, to=to))[1]
     world.run(2.0)
-    assert HANDED_ON in said
+    assert "seen" in said
     world.controls.kill(identity.public)
     world.run(3.0)
     said.clear()
     world.run(2.0)
-    assert HANDED_ON not in said
+    assert "seen" not in said
 
 
 def test_only_the_host_hands_on_and_what_is_heard_directly_counts() -> None:
@@ -64,13 +63,13 @@ def test_only_the_host_hands_on_and_what_is_heard_directly_counts() -> None:
     assert before is not None
     lie = before.model_copy(update={"steps": 10**9}).model_dump_json().encode()
     host, ann = world.host_identity.public, people[0].identity.public
-    watch.receive(Message(host, HANDED_ON, lie, direct=True), present, world.now)
+    watch.receive(Message(host, "seen", lie, direct=True), present, world.now)
     assert seen.status == before
     hidden = present - {people[1].identity.public}
-    watch.receive(Message(ann, HANDED_ON, lie, direct=True), hidden, world.now)
+    watch.receive(Message(ann, "seen", lie, direct=True), hidden, world.now)
     assert seen.status == before
-    watch.receive(Message(host, HANDED_ON, b"no status", direct=True), hidden, world.now)
-    watch.receive(Message(host, HANDED_ON, lie, direct=True), hidden, world.now)
+    watch.receive(Message(host, "seen", b"no status", direct=True), hidden, world.now)
+    watch.receive(Message(host, "seen", lie, direct=True), hidden, world.now)
     assert seen.status is not None
     assert seen.status.steps == 10**9
     assert identity.public not in present

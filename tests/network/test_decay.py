@@ -8,7 +8,15 @@ from tests.network.support import GRAPHS, five_users, mixings, pairs, random_net
 
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.network import closed_loop, complete, generator_eigenvalues, path, rightmost, rightmost_root
-from cotouch.network._rightmost import count_right
+
+
+def eigenvalues(network, mass, damping, stiffness, sync):
+    """Of the loop by fine collocation, the rightmost first; those near the origin are accurate."""
+    coupling = network.linked_spring()
+    delay = np.where(coupling > 0, network.delay, 0.0)
+    inertia, drag = np.full(network.size, mass / network.size), damping / network.size + sync
+    ground = stiffness / network.size + coupling.sum(axis=1)
+    return generator_eigenvalues(inertia, drag, ground, coupling, delay, order=40)
 
 
 @pytest.fixture(scope="module")
@@ -73,12 +81,10 @@ def test_mode_solves_the_equations_and_only_one_zero_is_left_out():
             assert s.imag >= 0
             assert abs(s) > 1e-6
             # Nothing just right of it but the translation; the root itself (and its mirror) just left.
-            loop, _ = closed_loop(network, 1.5, 0.4, stiffness, None)
-            gap = 1e-4 * abs(s)
             still = 1 if stiffness == 0 and s.real < 0 else 0
-            starts = np.empty(64, dtype=np.complex128)
-            assert count_right(loop, s.real + gap, starts)[0] == still
-            assert count_right(loop, s.real - gap, starts)[0] == still + (2 if s.imag > 0 else 1)
+            around = s.real + 1e-4 * abs(s) * np.array([[1.0], [-1.0]])
+            beyond = np.count_nonzero(eigenvalues(network, 1.5, 0.4, stiffness, decay.sync_damping).real > around, 1)
+            assert beyond.tolist() == [still, still + (2 if s.imag > 0 else 1)]
 
 
 def test_a_guess_that_leads_nowhere_costs_no_certainty():
@@ -171,9 +177,7 @@ def test_agrees_with_fine_collocation(seed):
     fraction = rng.choice([0.05, 0.3, 1.0, 2.0])  # of the rule's damping: little of it leaves roots to the right
     sync = fraction * rightmost_root(network).sync_damping
     found = rightmost_root(network, mass=0.7, sync_damping=sync)
-    delay, coupling = np.where(network.linked_spring() > 0, network.delay, 0.0), network.linked_spring()
-    rows = np.ones(network.size)
-    values = generator_eigenvalues(0.7 / network.size * rows, sync, coupling.sum(axis=1), coupling, delay, order=40)
+    values = eigenvalues(network, 0.7, 0.0, 0.0, sync)
     values = values[np.abs(values) > 1e-5]
     assert found.rate == pytest.approx(values[0].real, rel=1e-6, abs=1e-6)
 

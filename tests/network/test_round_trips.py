@@ -5,7 +5,6 @@ import pytest
 
 from cotouch.errors import NetworkError
 from cotouch.network import Network
-from cotouch.network._round_trips import read_round_trips
 
 TABLE = ",Ann,Ben,Cleo\nAnn,0,100,\nBen,120,0,60\nCleo,,,0\n"
 
@@ -18,19 +17,20 @@ def write(tmp_path, text, name="trips.csv"):
 
 def test_half_of_the_round_trip_is_the_delay(tmp_path):
     path = write(tmp_path, TABLE)
-    names, trips = read_round_trips(path)
-    assert names == ("Ann", "Ben", "Cleo")
-    np.testing.assert_array_equal(trips, [[0, 0.1, np.nan], [0.12, 0, 0.06], [np.nan, np.nan, 0]])
     network = Network.from_delays(path, spring=30.0)
+    assert network.users == ("Ann", "Ben", "Cleo")
     np.testing.assert_allclose(network.delay, [[0, 0.06, 0], [0.06, 0, 0.03], [0, 0.03, 0]])
     np.testing.assert_array_equal(network.spring, [[0, 30, 0], [30, 0, 30], [0, 30, 0]])
+    # The longer of the two that were measured between Ann and Ben; here the shorter.
+    assert Network.from_delays(path, quantile=0.0).delay[0, 1] == pytest.approx(0.05)
 
 
 def test_what_spreadsheets_write_is_read(tmp_path):
     text = "\ufeff" + TABLE.replace(",", ", ").replace("Ann", '"Ann"').replace("\n", "\r\n")
-    path = write(tmp_path, text)
-    assert read_round_trips(path)[0] == ("Ann", "Ben", "Cleo")
-    np.testing.assert_array_equal(read_round_trips(path)[1], read_round_trips(write(tmp_path, TABLE, "plain.csv"))[1])
+    found, plain = (Network.from_delays(write(tmp_path, *one)) for one in ((text,), (TABLE, "plain.csv")))
+    assert found.users == plain.users == ("Ann", "Ben", "Cleo")
+    np.testing.assert_array_equal(found.delay, plain.delay)
+    np.testing.assert_array_equal(found.spring, plain.spring)
 
 
 def test_picked_in_the_order_said_and_by_a_quantile(tmp_path):

@@ -5,8 +5,7 @@ from pathlib import Path
 import pytest
 
 from cotouch.errors import SessionError
-from cotouch.observers import MailboxFolder, RecordingClient
-from cotouch.observers._command_client import RecordingOutcome
+from cotouch.observers import MailboxFolder, RecordingClient, RecordingOutcome
 
 NAMES = ("Ann", "Ben")
 

@@ -21,7 +21,6 @@ from cotouch.peer import (
     Message,
     Sample,
 )
-from cotouch.peer._codec import Account
 
 # What a law tells after a step of a number and a mean velocity.
 Told: TypeAlias = Callable[[int, Float], Message]
@@ -253,7 +252,9 @@ def test_a_law_is_told_that_a_continued_sample_is_not_new() -> None:
 def test_an_account_gives_out_what_it_earned_and_no_more() -> None:
     """To a sender that errs as much as it may, and a neighbour that uses the worst sample that it may."""
     age, window = 0.002, 0.015
-    account, rng = Account(age, window), np.random.default_rng(0)
+    codec, rng = Codec(deadband=0.1, age=age), np.random.default_rng(0)
+    account = Encoder(ContentForm(codec, SPRING), ONES, SHAPE, window).account
+    assert account is not None
     errors: list[float] = []
     earned = cost = 0.0
     for k in range(1500):

@@ -1,10 +1,14 @@
 """What is said of budgets: changed on its way, or made up."""
 
+import struct
 from collections.abc import Iterator
 
 import numpy as np
 
-from cotouch.samples._budget import _MAGIC, _MESSAGE
+from cotouch.samples import BudgetAgreement
+
+# Magic, own life, other's life, own number, other's number, what is asked for and what is granted (NaN: nothing).
+_MESSAGE = struct.Struct("<4sQQIIdd")
 
 
 def with_amounts(message: bytes, ask: float | None, grant: float | None) -> bytes:
@@ -15,6 +19,8 @@ def with_amounts(message: bytes, ask: float | None, grant: float | None) -> byte
 
 def made_up(rng: np.random.Generator) -> Iterator[bytes]:
     """One with numbers of any size, and one that is none."""
-    head = _MESSAGE.pack(_MAGIC, *(int(rng.integers(0, 1 << 32)) for _ in range(4)), 0.0, 0.0)[:-16]
-    yield head + rng.bytes(16)
+    honest = BudgetAgreement(life=1).message(0.0)
+    assert honest is not None
+    numbers = (int(rng.integers(0, 1 << 32)) for _ in range(4))
+    yield _MESSAGE.pack(honest[:4], *numbers, 0.0, 0.0)[:-16] + rng.bytes(16)
     yield rng.bytes(_MESSAGE.size)

@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+import struct
 from collections.abc import Callable
 
 import pytest
@@ -11,9 +12,9 @@ from tests.live.support import agree, agreements, identities, in_a_fork, sealed_
 
 from cotouch.errors import SessionError
 from cotouch.samples import MOST_SEALED, OVERHEAD, RENEW_EVERY, Opened, Refusal, ReplayWindow, SealedLink
-from cotouch.samples._seal import HEADER
 
 PAYLOAD = bytes(range(200))
+HEADER = struct.Struct(">BBHIQ")  # version, 0, epoch of keys, connection, sequence
 
 
 def sealed(link: SealedLink, payload: bytes = PAYLOAD) -> bytes:

@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 from tests.session.world import Person, World, entropy
 
-from cotouch.members import Entry, Roster, SessionFile, SharedModel, write
-from cotouch.members._messages import Former, NameOwner, read
+from cotouch.members import Entry, Former, NameOwner, Roster, SessionFile, SharedModel, read, write
 from cotouch.members._shared_cuts import TOPIC, SharedCuts, Statement
 from cotouch.recording import audit, read_recording
 from cotouch.samples import Identity, PathLaw

@@ -10,10 +10,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.session.test_planner import Here
 
 from cotouch.control import Invitation
 from cotouch.errors import SessionError
-from cotouch.members import Entry, Roster, SharedModel
+from cotouch.members import Entry, Roster, SessionFile, SharedModel
 from cotouch.observers import (
     ChooseLinks,
     Cut,
@@ -30,8 +31,14 @@ from cotouch.observers import (
 )
 from cotouch.recording import audit, read_recording
 from cotouch.session import DemoSessionApi, demo_session, member_session_api, play
-from cotouch.session._demo_session_api import file_name
 
+USERS = """
+[session]
+[network]
+users = {names}
+spring = {springs}
+delay = {springs}
+"""
 # What any wait is bounded by; what is waited for takes a tenth of it [s].
 _PATIENCE = 60.0
 
@@ -296,6 +303,21 @@ def test_links_are_looked_for_only_once_somebody_looks_and_the_search_ends_with_
     assert not [thread for thread in threading.enumerate() if not thread.daemon and thread.name.startswith("cotouch")]
 
 
+def test_of_the_paper_s_network_the_best_links_are_those_that_it_starts_with(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("cotouch.session._demo_session_api.ChildCall", Here)
+    session = demo_session(law="spring")
+    opened: Any = QuietHost()
+    with mailbox_folder() as mailboxes:
+        api = DemoSessionApi(session, opened, SharedModel.build(session), mailboxes)
+        api.choose_links()
+        api.overview()
+        api.tick(0.0)
+        choices = api.overview().choices
+        api.close()
+    assert choices["best"] == choices["start"] == [(0, 1), (0, 3), (1, 2), (1, 3), (2, 3), (3, 4)]
+    assert choices["worst"] == [(0, 2), (0, 3), (1, 2), (1, 4), (2, 3), (2, 4)]
+
+
 class StandIn:
     """A member's process that is none."""
 
@@ -442,10 +464,25 @@ def test_damping_is_offered_only_where_it_keeps_links_safe(law: str, lowered: bo
         api.close()
 
 
-def test_a_name_leads_no_recording_out_of_its_folder() -> None:
+def test_a_name_leads_no_recording_out_of_its_folder(monkeypatch: pytest.MonkeyPatch) -> None:
     """Names come from the session's file, which may be somebody else's."""
-    for name in ("../../x", "/etc/x", "a\\b", "..", "Zoë 2", "100%"):
-        assert Path("rec", file_name(name, 0)).parent == Path("rec")
-    assert file_name("Zoë B", 0) == "Zoë B.mcap"
-    assert len({file_name(name, 0) for name in ("a/b", "a%2Fb", "a:b")}) == 3
-    assert file_name("Ann", 1) == "Ann 2.mcap"
+    begun: list[list[str]] = []
+
+    def member(invitation: object, options: list[str], *, as_json: bool) -> StandIn:
+        begun.append(options)
+        return StandIn()
+
+    monkeypatch.setattr("cotouch.session._demo_session_api.MemberProcess", member)
+    names = ["../../x", "/etc/x", "a\\b", "..", "Zoë 2", "100%", "a/b", "a%2Fb", "a:b", "Zoë B", "Ann"]
+    session = SessionFile.from_toml(USERS.format(names=names, springs=(1.0 - np.eye(len(names))).tolist()))
+    opened: Any = QuietHost()
+    with mailbox_folder() as mailboxes:
+        api = DemoSessionApi(session, opened, SharedModel.build(session), mailboxes, record=Path("rec"))
+        api.start()
+        api.start()  # as after a crash of each
+        api.close()
+    files = [Path(options[options.index("--record") + 1]) for options in begun]
+    assert {file.parent for file in files} == {Path("rec")}
+    assert len(set(files)) == 2 * len(names)
+    assert [file.name for file in files[9:11]] == ["Zoë B.mcap", "Ann.mcap"]
+    assert files[-1].name == "Ann 2.mcap"

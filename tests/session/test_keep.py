@@ -6,13 +6,12 @@ import stat
 from pathlib import Path
 
 import pytest
-from tests.members.test_succession import BEN, HOST, MEMBERS, ROOT
+from tests.members.test_succession import BEN, HOST, MEMBERS, ROOT, api, root
 from tests.session.world import entropy
 
 from cotouch.control import Endpoint, Invitation
 from cotouch.errors import OutputError, SessionError, TransportError
 from cotouch.members import Part, SessionFile
-from cotouch.members._succession import signed
 from cotouch.session._join import _identity
 from cotouch.session._keep import KeptHost, KeptIdentity, keep_host, kept_host
 
@@ -28,7 +27,7 @@ INVITATION = Invitation.make(
 
 def test_a_host_is_kept_with_what_it_signed_last(tmp_path: Path) -> None:
     path = tmp_path / "host.json"
-    for kept in (KeptHost(HOST, INVITATION, None), KeptHost(HOST, INVITATION, signed(HOST, HOST.public, ROOT))):
+    for kept in (KeptHost(HOST, INVITATION, None), KeptHost(HOST, INVITATION, root())):
         keep_host(path, kept)
         assert kept_host(path, SESSION) == kept
         assert stat.S_IMODE(path.stat().st_mode) == 0o600
@@ -37,14 +36,14 @@ def test_a_host_is_kept_with_what_it_signed_last(tmp_path: Path) -> None:
 
 def test_a_roster_that_the_host_did_not_sign_is_not_gone_on_from(tmp_path: Path) -> None:
     path = tmp_path / "host.json"
-    keep_host(path, KeptHost(HOST, INVITATION, signed(HOST, HOST.public, ROOT)))
+    keep_host(path, KeptHost(HOST, INVITATION, root()))
     kept = json.loads(path.read_text())
     kept["decided"]["roster"]["members"][0]["key"] = "e" * 64
     kept["decided"]["roster"]["names"] = []
     path.write_text(json.dumps(kept))
     with pytest.raises(SessionError, match="did not sign"):
         kept_host(path, SESSION)
-    keep_host(path, KeptHost(HOST, INVITATION, signed(BEN, HOST.public, ROOT)))
+    keep_host(path, KeptHost(HOST, INVITATION, api(BEN, ROOT)))
     with pytest.raises(SessionError, match="did not sign"):
         kept_host(path, SESSION)
     keep_host(path, KeptHost(BEN, INVITATION, None))  # whose invitation names another

@@ -6,8 +6,7 @@ import pytest
 
 from cotouch.members import SessionFile
 from cotouch.planning import Plan, plan, worked
-from cotouch.session import LinkPlanner, demo_session
-from cotouch.session._planner import notable_links
+from cotouch.session import LinkPlanner
 
 # Three fast users and one at the end of a slow line.
 SLOW = {(0, 1): 0.02, (0, 2): 0.02, (1, 2): 0.02, (0, 3): 0.4, (1, 3): 0.1, (2, 3): 0.4}
@@ -86,9 +85,3 @@ delay = [[0, 0.1, 0.1], [0.1, 0, 0.1], [0.1, 0.1, 0]]
 links = [[1, 2]]
 """
     assert planned(text, [0, 1, 2], {}) == [(0, 1)]
-
-
-def test_of_the_paper_s_network_the_best_links_are_those_that_it_starts_with() -> None:
-    choices = notable_links(demo_session(law="spring"))
-    assert choices["best"] == choices["start"] == [(0, 1), (0, 3), (1, 2), (1, 3), (2, 3), (3, 4)]
-    assert choices["worst"] == [(0, 2), (0, 3), (1, 2), (1, 4), (2, 3), (2, 4)]

@@ -1,18 +1,21 @@
 """Tools that are rigid bodies, live: by the file and by command, beside what is rigid and what yields, and an audit."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from tests.hands.led import Led
+from tests.session.test_demo_session_api import QuietHost
 from tests.session.world import World
 
 from cotouch.errors import SessionError
-from cotouch.members import SessionFile
-from cotouch.observers import MailboxFolder, MoveHand, Pointer
+from cotouch.members import SessionFile, SharedModel
+from cotouch.observers import MailboxFolder, MoveHand, Pointer, mailbox_folder
 from cotouch.recording import audit, read_recording
-from cotouch.session._requests import check_hand, checked
+from cotouch.session import DemoSessionApi
 
 TOOL = """
 [[tools]]
@@ -261,21 +264,29 @@ def test_let_go_it_comes_to_rest_and_is_held_by_nothing(soft: World) -> None:
     assert np.abs(peer.ports.force).max() < 1e-4
 
 
-def test_what_there_is_not_is_one_sentence() -> None:
-    body = SessionFile.from_toml(SOFT).scenario.build_body()
+@pytest.fixture
+def api() -> Iterator[DemoSessionApi]:
+    session = SessionFile.from_toml(SOFT)
+    opened: Any = QuietHost()
+    with mailbox_folder() as mailboxes:
+        made = DemoSessionApi(session, opened, SharedModel.build(session), mailboxes)
+        yield made
+        made.close()
+
+
+def test_what_there_is_not_is_one_sentence(api: DemoSessionApi) -> None:
     place, turn = (0.0, 0.0, 0.1), (0.0, 0.0, 0.5)
-    check_hand(MoveHand(slot=0, mode="pose", to=place, turn=turn), body, cuts=True)
+    api.do(MoveHand(slot=0, mode="pose", to=place, turn=turn))
     with pytest.raises(SessionError, match="this user has no rigid tool with a hand"):
-        check_hand(MoveHand(slot=1, mode="pose", to=place, turn=turn), body, cuts=True)
+        api.do(MoveHand(slot=1, mode="pose", to=place, turn=turn))
     with pytest.raises(SessionError, match="with pose it must be from 0 to 0"):
-        check_hand(MoveHand(slot=0, mode="pose", node=1, to=place, turn=turn), body, cuts=True)
-    ball = Pointer(number=1, mode="ball", node=0, target=place)
-    assert checked(ball, body, 0, cuts=True) is ball
+        api.do(MoveHand(slot=0, mode="pose", node=1, to=place, turn=turn))
+    api.point(0, Pointer(number=1, mode="ball", node=0, target=place))
     pose = Pointer(number=1, mode="pose", node=0, target=place, turn=turn)
-    assert checked(pose, body, 0, cuts=True) is pose
+    api.point(0, pose)
     with pytest.raises(SessionError, match="this user has no rigid tool with a hand"):
-        checked(pose, body, 1, cuts=True)
+        api.point(1, pose)
     with pytest.raises(SessionError, match=r"the pointer's turn is .*; it must be 3 numbers, each at most 4 rad"):
-        checked(replace(pose, turn=(0.0, 5.0, 0.0)), body, 0, cuts=True)
+        api.point(0, replace(pose, turn=(0.0, 5.0, 0.0)))
     with pytest.raises(SessionError, match="it must be from 0 to 47"):
-        checked(Pointer(number=1, mode="grab", node=48, target=place), body, 0, cuts=True)
+        api.point(0, Pointer(number=1, mode="grab", node=48, target=place))

@@ -10,7 +10,6 @@ from tests.thorough import examples
 
 from cotouch.samples import Address
 from cotouch.traversal import Candidate, CandidateKind, PairKeys, PathProber, PathState, pair_keys
-from cotouch.traversal._probe import ping, pong
 
 TICK = 0.01
 PORT = 5000
@@ -25,6 +24,28 @@ def keys(nonces: tuple[bytes, bytes] = (b"a" * 16, b"b" * 16)) -> tuple[PairKeys
         )
         for k in range(2)
     )  # fmt: skip
+
+
+AT = Address("192.0.2.1", 5)
+
+
+def pings(own: PairKeys, count: int = 1) -> list[bytes]:
+    """What an end with these keys asks first."""
+    prober, found = PathProber(0.0), list[bytes]()
+    prober.rekey(own)
+    while len(found) < count:
+        prober.offer([Candidate(CandidateKind.LOCAL, Address("192.0.2.9", 1000 + len(found)))])
+        found += [probe.payload for probe in prober.due(float(len(found)), active=True)]
+    return found
+
+
+def pong(own: PairKeys, ping: bytes) -> bytes:
+    """What an end with these keys answers."""
+    prober = PathProber(0.0)
+    prober.rekey(own)
+    answer = prober.receive(0.0, ping, AT)
+    assert answer is not None
+    return answer.payload
 
 
 class Two:
@@ -247,11 +268,11 @@ def test_a_repeated_ping_is_not_answered_and_a_stranger_is_not_asked():
     first, second = keys()
     prober = PathProber(0.0)
     prober.rekey(first)
-    good, mallory = ping(second, 7), Address("192.0.2.66", 6)
-    assert prober.receive(0.0, good, Address("192.0.2.1", 5)) == (Address("192.0.2.1", 5), pong(first, 7))
+    (good,), mallory = pings(second), Address("192.0.2.66", 6)
+    assert prober.receive(0.0, good, AT) == (AT, pong(first, good))
     prober.due(0.0, active=True)
     assert prober.receive(0.0, good, mallory) is None
-    assert prober.receive(0.0, ping(first, 8), mallory) is None
+    assert prober.receive(0.0, pings(first, 9)[8], mallory) is None
     assert prober.receive(0.0, b"noise", mallory) is None
     assert prober.refused == 3
     asked = [probe.to for k in range(500) for probe in prober.due(0.1 * k, active=True)]
@@ -262,17 +283,18 @@ def test_a_pong_counts_only_once_and_from_where_it_was_asked():
     first, second = keys()
     prober = PathProber(0.0)
     prober.rekey(first)
-    at, elsewhere = Address("192.0.2.1", 5), Address("192.0.2.66", 6)
-    prober.offer([Candidate(CandidateKind.LOCAL, at)])
-    (probe,) = prober.due(0.0, active=True)
-    assert probe == (at, ping(first, 0))
-    for answer, source in ((pong(second, 1), at), (pong(second, 0), elsewhere), (pong(first, 0), at)):
+    elsewhere = Address("192.0.2.66", 6)
+    prober.offer([Candidate(CandidateKind.LOCAL, AT)])
+    asked, unasked = pings(first, 2)
+    assert prober.due(0.0, active=True) == [(AT, asked)]
+    good, own = pong(second, asked), pong(first, *pings(second))
+    for answer, source in ((pong(second, unasked), AT), (good, elsewhere), (own, AT)):
         prober.receive(0.1, answer, source)
         assert prober.path_state is PathState.TRYING
-    prober.receive(0.1, pong(second, 0), at)
-    assert (prober.path_state, prober.address) == (PathState.DIRECT, at)
+    prober.receive(0.1, good, AT)
+    assert (prober.path_state, prober.address) == (PathState.DIRECT, AT)
     refused = prober.refused
-    prober.receive(0.1, pong(second, 0), at)
+    prober.receive(0.1, good, AT)
     assert prober.refused == refused + 1
 
 
@@ -280,12 +302,11 @@ def test_an_answer_that_comes_too_late_is_none():
     first, second = keys()
     prober = PathProber(0.0)
     prober.rekey(first)
-    at = Address("192.0.2.1", 5)
-    prober.offer([Candidate(CandidateKind.LOCAL, at)])
-    prober.due(0.0, active=True)
+    prober.offer([Candidate(CandidateKind.LOCAL, AT)])
+    (probe,) = prober.due(0.0, active=True)
     for k in range(1, 100):
         prober.due(0.1 * k, active=True)
-    prober.receive(9.9, pong(second, 0), at)
+    prober.receive(9.9, pong(second, probe.payload), AT)
     assert prober.path_state is not PathState.DIRECT
 
 
@@ -293,8 +314,8 @@ def test_addresses_that_were_learnt_are_few():
     first, second = keys()
     prober = PathProber(0.0)
     prober.rekey(first)
-    for k in range(1000):
-        prober.receive(0.001 * k, ping(second, k), Address("192.0.2.1", 1000 + k))
+    for k, ping in enumerate(pings(second, 1000)):
+        prober.receive(0.001 * k, ping, Address("192.0.2.1", 1000 + k))
     assert len(prober._learnt) == 4
     asked = [probe for k in range(1000) for probe in prober.due(1.0 + 0.001 * k, active=True)]
     assert len(asked) == 1
@@ -305,8 +326,8 @@ def test_addresses_that_change_without_end_do_not_hasten_pings_either():
     prober = PathProber(0.0)
     prober.rekey(first)
     sent = 0
-    for k in range(1000):
-        prober.receive(0.001 * k, ping(second, k), Address("192.0.2.1", 1000 + k))
+    for k, ping in enumerate(pings(second, 1000)):
+        prober.receive(0.001 * k, ping, Address("192.0.2.1", 1000 + k))
         sent += len(prober.due(0.001 * k, active=True))
     assert 5 <= sent <= 11
 
@@ -325,10 +346,10 @@ def test_the_same_keys_again_do_not_begin_numbers_anew():
     first, second = keys()
     prober = PathProber(0.0)
     prober.rekey(first)
-    at = Address("192.0.2.1", 5)
-    assert prober.receive(0.0, ping(second, 0), at) is not None
+    (ping,) = pings(second)
+    assert prober.receive(0.0, ping, AT) is not None
     prober.rekey(first)
-    assert prober.receive(0.0, ping(second, 0), at) is None
+    assert prober.receive(0.0, ping, AT) is None
 
 
 def test_offers_without_end_do_not_hasten_pings():

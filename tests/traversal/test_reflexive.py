@@ -3,15 +3,13 @@
 import pytest
 from tests.live.internet import Internet, Nat
 from tests.live.support import entropy, identities
+from tests.traversal.shown import KEY, MIRROR, asking, place_at
 
 from cotouch.samples import Address
-from cotouch.traversal import Addresses, Lookup, Mirror, Place, member_key
-from cotouch.traversal._addresses import transaction_of
-from cotouch.traversal._probe import MEMBER_BYTES, ask, tell
+from cotouch.traversal import Addresses, Lookup, Mirror
 
 MEMBER, OTHER = (one.public for one in identities(2))
-KEY = member_key(b"secret", b"session")
-MIRROR = Address("203.0.113.1", 7000)
+_, QUESTION = asking(MEMBER)
 
 
 class Asking:
@@ -87,13 +85,11 @@ def test_a_mirror_that_is_gone_is_asked_rarely_and_forgotten():
 
 
 def test_a_question_has_one_answer_from_where_it_was_asked():
-    lookup = Lookup(KEY, entropy(3), MEMBER)
-    lookup.look([MIRROR])
-    ((to, question),) = lookup.due(0.0)
-    assert to == MIRROR
+    lookup, question = asking(MEMBER)
     own = Address("198.51.100.1", 9)
-    answer = tell(KEY, question, own)
-    other = tell(KEY, ask(KEY, bytes(16)), own)
+    answer, other = (Mirror(KEY).answer(asked, own) for asked in (question, asking(MEMBER, seed=4)[1]))
+    assert answer is not None
+    assert other is not None
     assert not lookup.take(0.1, answer, ("203.0.113.1", 7001))
     assert not lookup.take(0.1, other, MIRROR)
     assert not lookup.take(0.1, answer, "nonsense")
@@ -103,16 +99,18 @@ def test_a_question_has_one_answer_from_where_it_was_asked():
 
 
 def test_a_member_that_tells_nonsense_is_not_believed():
-    lookup = Lookup(KEY, entropy(3), MEMBER)
-    lookup.look([MIRROR])
-    ((_, question),) = lookup.due(0.0)
-    assert not lookup.take(0.1, tell(KEY, question, Address("224.0.0.1", 9)), MIRROR)
+    lookup, question = asking(MEMBER)
+    for host, believed in (("224.0.0.1", False), ("192.0.2.9", True)):
+        answer = Mirror(KEY).answer(question, (host, 9))
+        assert answer is not None
+        assert lookup.take(0.1, answer, MIRROR) is believed
 
 
-@pytest.mark.parametrize("datagram", [b"", b"\xc2\1", bytes(MEMBER_BYTES), b"\xc2\1" + bytes(MEMBER_BYTES - 2)])
+@pytest.mark.parametrize("datagram", [b"", QUESTION[:2], bytes(len(QUESTION)), QUESTION[:2] + bytes(len(QUESTION) - 2)])
 def test_strangers_are_not_answered(datagram: bytes):
+    assert Mirror(KEY).answer(QUESTION, ("192.0.2.1", 5)) is not None
     assert Mirror(KEY).answer(datagram, ("192.0.2.1", 5)) is None
-    assert Mirror(KEY).answer(ask(KEY, bytes(16)), "nowhere") is None
+    assert Mirror(KEY).answer(QUESTION, "nowhere") is None
 
 
 def test_who_was_told_shows_where_it_is_and_nobody_else_with_that():
@@ -128,11 +126,8 @@ def test_who_was_told_shows_where_it_is_and_nobody_else_with_that():
 
 
 def test_of_version_6_a_network_is_one_address():
-    addresses, nonce = Addresses(entropy(8)), bytes(16)
+    addresses = Addresses(entropy(8))
     hosts = ("2001:db8:1:2::5", "2001:db8:1:2:ffff::9", "2001:db8:1:3::5")
-    shown = [
-        addresses.shown(MEMBER, Place(nonce, host, addresses.cookie(transaction_of(MEMBER, nonce), host)))
-        for host in hosts
-    ]
+    shown = [addresses.shown(MEMBER, place_at(addresses, MEMBER, host)) for host in hosts]
     assert shown[0] == shown[1] == "2001:db8:1:2::/64"
     assert shown[2] == "2001:db8:1:3::/64"

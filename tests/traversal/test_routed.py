@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from tests.live.internet import Exchange, Internet, MemoryControl, Nat, VirtualSocket
 from tests.live.support import agree, agreements, entropy, identities, layout, state_of
+from tests.traversal.shown import asking
 
 from cotouch.control import Message, Relayed
 from cotouch.errors import SessionError, TransportError
@@ -19,12 +20,11 @@ from cotouch.traversal import (
     PathChanged,
     PathState,
     RoutedTransport,
-    member_key,
     write_offer,
 )
-from cotouch.traversal._probe import MEMBER_BYTES, PAIR_BYTES, ask
 
 T = 0.004
+MEMBER_BYTES, PAIR_BYTES = 56, 32  # of a question where one is, and of one whether the other is there
 HOST = Address("203.0.113.1", 7000)
 
 
@@ -353,7 +353,7 @@ def alone() -> tuple[Internet, Exchange, RoutedTransport, VirtualSocket]:
 def test_probes_from_a_stranger_are_limited_before_they_are_looked_at(alone):
     net, _, transport, socket = alone
     stranger = net.socket("192.0.2.1", 5)
-    question = ask(member_key(b"secret", b"session"), bytes(16))
+    _, question = asking()
     for _ in range(1000):
         stranger.reach(socket.address, question)
     assert transport.poll() == []

@@ -9,8 +9,24 @@ from cotouch.members._file import MOST_USERS, SessionFile
 from cotouch.members._hand import Hand, NoHand, ScriptedHand, Slot, grips_of, handles_of, no_ports
 from cotouch.members._host import Host
 from cotouch.members._links import Pair, delays_of, present_links
+from cotouch.members._live_law import LiveLaw
 from cotouch.members._member import Member
-from cotouch.members._messages import MOST_NOTICE, Decision, Entry, LinkStatus, Roster, Status, write
+from cotouch.members._messages import (
+    MOST_NOTICE,
+    AddressProof,
+    Decided,
+    Decision,
+    Entry,
+    Former,
+    Join,
+    LinkStatus,
+    NameOwner,
+    Refused,
+    Roster,
+    Status,
+    read,
+    write,
+)
 from cotouch.members._pace import Pace, pace_numbers
 from cotouch.members._part import Part, PartOutcome
 from cotouch.members._paths import MemoryPaths, Paths, RoutedPaths
@@ -27,17 +43,23 @@ __all__ = [
     "ALARM",
     "MOST_NOTICE",
     "MOST_USERS",
+    "AddressProof",
     "Admission",
     "Coordinator",
+    "Decided",
     "Decision",
     "Entry",
     "Felt",
+    "Former",
     "Hand",
     "Host",
+    "Join",
     "LinkStatus",
+    "LiveLaw",
     "Member",
     "MemberState",
     "MemoryPaths",
+    "NameOwner",
     "NoHand",
     "Pace",
     "Pair",
@@ -45,6 +67,7 @@ __all__ = [
     "PartOutcome",
     "Paths",
     "Planner",
+    "Refused",
     "Replica",
     "Roster",
     "RoutedPaths",
@@ -69,5 +92,6 @@ __all__ = [
     "pace_numbers",
     "path_laws",
     "present_links",
+    "read",
     "write",
 ]

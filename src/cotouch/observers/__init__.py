@@ -1,7 +1,7 @@
 """What who watches a session sees of it, and may ask for: the page's side, through latest-value channels."""
 
 from cotouch.observers._child import ChildCall
-from cotouch.observers._command_client import CommandClient
+from cotouch.observers._command_client import CommandClient, RecordingOutcome
 from cotouch.observers._commands import (
     COMMANDS,
     FARTHEST,
@@ -65,6 +65,7 @@ __all__ = [
     "Overview",
     "Pointer",
     "RecordingClient",
+    "RecordingOutcome",
     "RecordingState",
     "Revive",
     "Scene",
