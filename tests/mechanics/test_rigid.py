@@ -11,6 +11,7 @@ from cotouch.mechanics import (
     BETA,
     BODY_LOSS,
     CLOSURE_ALARM,
+    WORLD_LOSS,
     WORLD_STORED,
     BodyForce,
     Obstacle,
@@ -167,6 +168,20 @@ def test_falls_and_bounces_as_closed_forms_say() -> None:
     assert -low == pytest.approx(G / rate**2 + np.hypot(G / rate**2, speed / rate), rel=0.02)
     assert standing.velocity.mean(axis=0)[2] == pytest.approx(speed, rel=0.03)  # strain takes the rest
     standing.check_ledger()
+
+
+@pytest.mark.parametrize(("rate", "lost"), [(2e3, 0.17), (1e4, 0.0085), (5e4, 0.00035)])
+def test_what_a_bounce_loses_its_own_dampers_take_at_any_step(rate: float, lost: float) -> None:
+    """A plane so hard that the ball is not rigid beside it: the harder the ball, the less, whatever the steps."""
+    ball = rigid_sphere(0.03, mass=0.1, centre=[0.0, 0.0, 0.03], rate=rate).with_gravity((0.0, 0.0, -G))
+    for T in (2e-3, 2e-4):
+        standing = Standing(ball, Obstacle(shape=Plane(), stiffness=1e8), lift=0.05)
+        took = 0.0
+        while standing.velocity.mean(axis=0)[2] <= 0.0 or standing.ledger[WORLD_STORED] > 0.0:
+            standing.run(1, T)
+            took += standing.ledger[BODY_LOSS]
+            assert standing.ledger[WORLD_LOSS] == 0.0
+        assert took / (0.1 * G * 0.05) == pytest.approx(lost, rel=0.2)
 
 
 def test_a_ball_rolls_without_slipping() -> None:

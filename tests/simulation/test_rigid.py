@@ -126,8 +126,22 @@ def test_a_mesh_is_rigid_where_it_is_told_to_be(tmp_path: Path, suffix: str) -> 
 
 
 @pytest.mark.parametrize(
+    "table", [BOX, {"kind": "cylinder", "radius": 0.1, "length": 0.1}, {"kind": "sphere", "radius": 0.1}]
+)
+def test_how_hard_a_shape_is_can_be_said(table: dict[str, Any]) -> None:
+    """Its stiffness grows with the square of how fast strains oscillate, which is 2000 rad/s where nothing is said."""
+    built = [
+        Scenario.make(body={**table, **rate}, network=network(1)).build_body()
+        for rate in ({}, {"rate": 2000.0}, {"rate": 1e4})
+    ]
+    firm = [body.material.stiffness[0] for body in built if body.material is not None]
+    assert firm[1:] == pytest.approx([firm[0], 25.0 * firm[0]])
+
+
+@pytest.mark.parametrize(
     ("table", "said"),
     [
+        ({"rate": 0.0}, "rate is 0"),
         ({"size": [0.1, 0.0, 0.1]}, "size[2] is 0"),
         ({"size": [0.1, 0.1]}, "size"),
         ({"mass": -1.0}, "mass is -1"),

@@ -105,10 +105,11 @@ class _ShapeTable(Table):
     density: Positive = 1000.0
     mass: Positive | None = None
     centre: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
+    rate: Positive | None = None
     model: Literal["rigid"] = "rigid"
 
     def _options(self) -> dict[str, Any]:
-        return self.model_dump(exclude={"kind", "model"})
+        return self.model_dump(exclude={"kind", "model"}, exclude_none=True)
 
 
 @final
