@@ -236,7 +236,7 @@ def _felt(study: Study, setting: Mapping[str, float], *, loose: bool) -> dict[st
 
 
 def danger(cell: dict[str, Any]) -> dict[str, Any]:
-    """Whether a law is dangerous at each delay with one kind of hand, and what it costs there.
+    """Whether a law is dangerous at each delay with one kind of hand, what it costs there, and whether it comes to rest.
 
     Args:
         cell: `study`, `setting`, and the delays.
@@ -244,6 +244,7 @@ def danger(cell: dict[str, Any]) -> dict[str, Any]:
     study, setting = Study.make(**cell["study"]), cell["setting"]
     risky: list[bool] = []
     costs: list[float] = []
+    restless: list[float] = []
     for delay in cell["delay"]:
         network = NetworkTable(name="map", delay=delay)
         here = study.model_copy(update={"networks": [network]})
@@ -252,10 +253,12 @@ def danger(cell: dict[str, Any]) -> dict[str, Any]:
             prepared = drawn(here, 0, setting)
             values = [_one(here, prepared, here.hands[0], task, 0)["cost"] for task in here.tasks]
             costs.append(float(np.mean(values)))
+            restless.append(_one(here, prepared, here.hands[0], "hold", 0)["restless"])
         except CotouchError:
             risky.append(True)
             costs.append(float("inf"))
-    return {"dangerous": risky, "cost": costs}
+            restless.append(float("inf"))
+    return {"dangerous": risky, "cost": costs, "restless": restless}
 
 
 def law_time(study: Study, law: LawTable) -> float:
@@ -342,7 +345,7 @@ def _gathered(
         "draw": np.arange(study.draws),
     }
     if study.map is not None:
-        for name in ("dangerous", "cost"):
+        for name in ("dangerous", "cost", "restless"):
             table = np.array([[row[name] for row in maps[law]] for law in laws], dtype=np.float64)
             data[f"map_{name}"] = (("law", "stiffness", "delay"), table)
         coordinates |= {"stiffness": study.map.stiffness, "delay": study.map.delay}

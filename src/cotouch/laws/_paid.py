@@ -87,6 +87,7 @@ from cotouch.laws._paid_fields import (
 from cotouch.laws._paid_guess import believed, check_guess
 from cotouch.laws._paid_hand import book_copy
 from cotouch.laws._paid_heard import Heard, Then, add_wish, between, bring_hand, place_then, wish
+from cotouch.laws._paid_hold import hold_on
 from cotouch.laws._paid_other import bring, credible, past, take_over, tell
 from cotouch.laws._paid_rows import pay, price, push_wave, receive_wave, return_wave
 
@@ -98,6 +99,8 @@ _FREE = 0.1
 # What one grasps others cannot know of at once. A copy that is faster than this meanwhile is braked [m/s]; that pays
 # for what others' hands turn out to do. Before anybody is heard, an age is taken to be so long; none is longer [s].
 _FAST, _UNHEARD = 0.5, 0.6
+# A force that would need a greater damper beside it to be paid for is left out [Ns/m].
+_GREATEST = 1e6
 
 
 def _before(end: End) -> None:
@@ -249,8 +252,9 @@ def _stretch(end: End, then: Then, since: float, fresh: bool) -> None:
 def _settle(end: End) -> None:
     """The payment, on the last of the copy's links."""
     T, numbers, p = end.T, end.shared_scalars, end.parameters
-    along, wished, speed = price(end)
     H = max(numbers[ACCOUNT], 0.0)
+    still = hold_on(end, H)
+    along, wished, speed = price(end)
     fraction = 1.0
     due = T * (along + sqrt(wished * speed))
     if due > 2.0 * H:
@@ -259,13 +263,13 @@ def _settle(end: End) -> None:
     root = sqrt(max((2.0 * H - T * along) ** 2 - T * T * wished * speed, 0.0))
     room = 2.0 * H - T * along + root
     b = T * wished / room if room > 0.0 and wished > 0.0 else 0.0
-    if b > 1e4:
+    if b > _GREATEST or (wished > 0.0 and not room > 0.0):
         fraction = b = 0.0
     pay(end, fraction, b)
     floor = 0.5 * numbers[LEVEL]
     free = numbers[HELD] == 0.0 and end.position.shape[0] > end.width
     beta = _FREE * p[BETA] if free else p[BETA]
-    b += beta * max(1.0 - H / floor, 0.0) if floor > 0.0 else beta
+    b += still + (beta * max(1.0 - H / floor, 0.0) if floor > 0.0 else beta)
     if numbers[TIME] - numbers[GRASPED_AT] < min(max(numbers[LONGEST], numbers[UNHEARD]), _UNHEARD):
         rows = end.position.shape[0] // end.width
         b += p[CALM] / end.copies * max(sqrt(speed / rows) - _FAST, 0.0)
@@ -293,6 +297,10 @@ def _share(facts: Facts) -> float:
 
 def _mass(facts: Facts) -> float:
     return facts.mass / (facts.degree + 1) / sqrt(facts.rows)
+
+
+def _still(facts: Facts) -> float:
+    return facts.mass * sqrt(facts.rows) / (facts.degree + 1)  # a force at a node moves some of a soft body
 
 
 def _calm(facts: Facts) -> float:
@@ -333,6 +341,12 @@ PAID = register(
                 most=1.0,
                 tuned=False,
             ),
+            Parameter(
+                name="still",
+                meaning="mass that a copy which cannot pay for its wish stops with; 0: it does not [kg]",
+                default=_still,
+                tuned=False,
+            ),
         ),
         sends=("U_out", "P", "Q", "w", "v", "way"),
         sends_scalars=("E_out", "k", "b", "epoch", "given", "T", "hands", "as one", "since", "age"),
@@ -350,7 +364,20 @@ PAID = register(
         ),
         fractions=(
             *("w", "wish", "f", "x", "v", "x before", "v before"),
-            *("x rate", "v rate", "f rate", "all w", "all P", "all Q", "asked", "touch", "told", "way", "acting"),
+            *(
+                "x rate",
+                "v rate",
+                "f rate",
+                "all w",
+                "all P",
+                "all Q",
+                "asked",
+                "touch",
+                "told",
+                "way",
+                "acting",
+                "exerted",
+            ),
             *(f"{name}{k}" for name in ("x", "v") for k in range(KEPT)),
             *(f"force{k}" for k in range(LOGGED)),
         ),
