@@ -236,7 +236,7 @@ def _felt(study: Study, setting: Mapping[str, float], *, loose: bool) -> dict[st
 
 
 def danger(cell: dict[str, Any]) -> dict[str, Any]:
-    """Whether a law is dangerous at each delay with one kind of hand, what it costs there, and whether it comes to rest.
+    """Whether a law is dangerous at each delay with one kind of hand, its cost there, and what moves on at rest.
 
     Args:
         cell: `study`, `setting`, and the delays.

@@ -37,7 +37,6 @@ from cotouch.laws._paid_fields import (
     DEGREE,
     E_IN,
     E_OUT,
-    EVENLY,
     FLOOR,
     FORCE_LIMIT,
     GD,
@@ -62,8 +61,6 @@ from cotouch.laws._paid_fields import (
     M_K,
     M_SINCE,
     M_T,
-    M_V,
-    M_WAY,
     MASS,
     PART_B,
     PART_EPOCH,
@@ -74,25 +71,22 @@ from cotouch.laws._paid_fields import (
     SEED,
     SPAN,
     STAMP,
-    STRETCH,
     TIME,
     UNHEARD,
     WAVE_IN,
     WAVE_OUT,
     WISH,
     X_BEFORE,
-    V,
     X,
 )
 from cotouch.laws._paid_guess import believed, check_guess
 from cotouch.laws._paid_hand import book_copy
-from cotouch.laws._paid_heard import Heard, Then, add_wish, between, bring_hand, place_then, wish
+from cotouch.laws._paid_heard import Heard, add_wish, between, bring_hand, wish
 from cotouch.laws._paid_hold import hold_on
 from cotouch.laws._paid_other import bring, credible, past, take_over, tell
 from cotouch.laws._paid_rows import pay, price, push_wave, receive_wave, return_wave
+from cotouch.laws._paid_touch import SMOOTH, stretch
 
-# So long is seen how a hand's force changes [s].
-_SMOOTH = 0.03
 # Share of the brake that a soft body keeps while its own user does not hold it: no hand fills the account there, and
 # what another's hand moves at one node, while all are braked, is stretched by what was to move it.
 _FREE = 0.1
@@ -170,10 +164,10 @@ def _before(end: End) -> None:
         if follows:
             kept[STAMP] = when
             kept[SPAN] += passed
-            part = min(passed / min(kept[SPAN], _SMOOTH), 1.0) if passed > 0.0 else 0.0
+            part = min(passed / min(kept[SPAN], SMOOTH), 1.0) if passed > 0.0 else 0.0
         as_one = told[M_AS_ONE] > 0.0
         if as_one:
-            _stretch(end, then, numbers[TIME] + 0.5 * T - when, fresh)
+            stretch(end, then, numbers[TIME] + 0.5 * T - when, fresh)
         # A hand that grasped or let go did so before this was heard.
         begun = when + 0.5 * told[M_T] - told[M_SINCE] - horizon
         taken = fresh and told[M_SINCE] >= 0.0 and take_over(end, begun)
@@ -213,39 +207,6 @@ def _before(end: End) -> None:
         numbers[UNHEARD] = _UNHEARD
     if end.last:
         _settle(end)
-
-
-@helper
-def _stretch(end: End, then: Then, since: float, fresh: bool) -> None:
-    """What touches goes on as it did, and pulls this copy to where its own is, over what it acts on.
-
-    Its force is late: what swings would be pushed on by it. So it is taken to change as its spring says of what this
-    copy did since, less what is done evenly: that is the aim's, and a spring against it would be a drag.
-
-    Args:
-        end: of the link.
-        then: where this copy was when the neighbour's sample was.
-        since: how long ago that is [s].
-        fresh: whether it is another hand than before.
-    """
-    T, x, own, got, told = end.T, end.position, end.shared, end.received, end.received_scalars
-    kept, memory, width, size = end.scalars, end.memory, end.width, end.position.shape[0]
-    for axis in range(width):
-        stretch = moved = faster = 0.0
-        for i in range(axis, size, width):
-            shape = got[M_WAY, i]
-            if shape != 0.0:
-                x_then, v_then = place_then(end, then, i)
-                stretch += shape * (told[M_K] * (end.sample[i] - x_then) + told[M_B] * (got[M_V, i] - v_then))
-                moved += shape * (x[i] + 0.5 * T * own[V, i] - x_then)
-                faster += shape * (own[V, i] - v_then)
-        if since > 0.0:
-            part = 1.0 if fresh else min(T / _SMOOTH, 1.0)
-            kept[EVENLY + axis] += part * (moved / since - kept[EVENLY + axis])
-            stretch -= told[M_K] * (moved - since * kept[EVENLY + axis]) + told[M_B] * faster
-        for i in range(axis, size, width):
-            if got[M_WAY, i] != 0.0 or memory[STRETCH, i] != 0.0:
-                memory[STRETCH, i] = got[M_WAY, i] * stretch
 
 
 @helper

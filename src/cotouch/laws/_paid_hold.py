@@ -47,10 +47,10 @@ def _hold(end: End, less: float, first: int, last: int, lanes: tuple[int, ...]) 
 
 @helper
 def hold_on(end: End, account: float) -> float:
-    """Lets each node that its wish would move against what it exerts wish for no more than that, as the account runs dry.
+    """As the account runs dry, nodes wish for no more than they exert already.
 
-    Nodes that would give way do so: that fills the account. A copy that its own user does not hold is left alone,
-    because nothing pulls it back.
+    Nodes that wish for less do as they wish, because giving way fills the account. A copy that its own user does not
+    hold is left alone, because nothing pulls it back.
 
     Args:
         end: of the copy's last link.
