@@ -387,6 +387,37 @@ def test_paid_brakes_what_is_fast_and_not_heard_of_yet() -> None:
     assert carried == before  # what is slow is not braked
 
 
+CHAIN = {"kind": "chain", "nodes": 5, "mass": 0.2, "stiffness": 400.0, "damping": 1.0}
+
+
+@pytest.mark.parametrize(
+    ("users", "stiffness", "delay", "tables"),
+    [
+        (2, 1800.0, 0.1, {}),
+        (4, 3000.0, 0.02, {"period": 4e-3}),
+        (4, 1800.0, 0.05, {"graph": "star"}),
+        (4, 1800.0, 0.1, {"body": CHAIN}),
+    ],
+)
+def test_paid_comes_to_rest_where_stiff_hands_hold_still_apart(
+    users: int, stiffness: float, delay: float, tables: dict[str, Any]
+) -> None:
+    """Empty accounts made copies recoil, and what that yielded drove them on: 8 to 90 mm/s for good."""
+    tables = {"users": [users], "hands": [{"stiffness": stiffness, "damping": 6.5}], **tables}
+    shivers = {"kind": "paid", "still": 0.0}
+    moving, before = (cost(law, "hold", delay=delay, measure="restless", **tables) for law in ("paid", shivers))
+    assert moving < 1e-3
+    assert before > 5e-3
+    near, far = (cost(law, "hold", delay=delay, measure="apart", **tables) for law in ("paid", shivers))
+    assert near < 1.2 * far
+
+
+def test_paid_lets_go_of_what_it_held_where_hands_give_way() -> None:
+    """Copies that rest with empty accounts follow a hand that no longer presses."""
+    assert cost("paid", "press", delay=0.1, users=[4]) < 0.8  # 1.2, when what was exerted went on
+    assert cost("paid", "press", delay=0.1, body=CHAIN, seed=77) < 1.9  # 2.4
+
+
 def test_paid_brakes_what_is_fast_right_after_a_grasp_and_not_later() -> None:
     """Whenever hands grasp; who has held for a while moves as freely as ever."""
 

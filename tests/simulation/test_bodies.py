@@ -8,7 +8,7 @@ import pytest
 
 from cotouch.errors import CotouchError
 from cotouch.scenario import Scenario
-from cotouch.simulation import prepare, run_batch, run_peers, simulate
+from cotouch.simulation import USER_LEDGER, prepare, run_batch, run_peers, run_prepared, simulate
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "tower.toml"
 PAIR = {"users": ["Ann", "Ben"], "spring": [[0, 20], [20, 0]], "delay": [[0, 0.01], [0.01, 0]]}
@@ -120,6 +120,29 @@ def test_peers_come_to_the_same_bits(law: str) -> None:
     batch, peers = run_batch(ready), run_peers(ready)
     assert np.array_equal(batch.position, np.stack([places[-1] for places in peers.position]))
     assert max(abs(report.residual) for reports in peers.reports for report in reports) <= 1e-15
+
+
+def test_a_codec_says_several_bodies_with_the_record_of_the_batch_engine() -> None:
+    plain = stack(synchronisation={"law": "wave"}, record={"every": 2})
+    exact = {"codec": {"deadband": 0.0, "quantum": 0.0, "hold": 1}}
+    batch, single = run_batch(prepare(plain)), run_prepared(prepare(plain.replace(channel=exact)))
+    assert np.array_equal(single.position, batch.position)
+    for name in ("users", "slots", "made", "lowest", "ticks"):
+        found, wanted = getattr(single.record, name), getattr(batch.record, name)
+        assert found.shape == wanted.shape
+        reached = batch.taken[0] // 2 + 1 if name not in {"made", "lowest"} else None
+        assert found[..., :reached] == pytest.approx(wanted[..., :reached], rel=1e-9, abs=1e-12)
+    assert single.record.users[len(USER_LEDGER) + 1].max() > 0.0  # closed steps told by how much
+
+
+def test_a_codec_leaves_out_what_goes_on_as_several_bodies_did() -> None:
+    coded = stack(synchronisation={"law": "paid"}, channel={"codec": {"deadband": 0.05, "quantum": 1e-5}})
+    run = simulate(coded)
+    assert run.attrs["unchanged"] > 0
+    assert run.attrs["made"] <= run.attrs["law_seed"]
+    assert run.attrs["energy_residual"] < 1e-12
+    whole = simulate(stack(synchronisation={"law": "paid"}))
+    assert 0.0 < np.abs(run["position"].values - whole["position"].values).max() < 0.002
 
 
 def test_a_tool_that_pushes_one_body_leaves_another_at_rest() -> None:

@@ -46,7 +46,8 @@ class Scored(TypedDict):
 
 
 class Mapped(TypedDict):
-    """At each delay, whether a law is dangerous and what it costs [J]."""
+    """At each delay, whether a law is dangerous, what it costs, and how fast what should rest still moves [m/s]."""
 
     dangerous: list[bool]
     cost: list[float]
+    restless: list[float]

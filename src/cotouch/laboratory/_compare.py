@@ -245,7 +245,7 @@ def _felt(study: Study, setting: Mapping[str, float], *, loose: bool) -> dict[st
 
 
 def danger(cell: MapCell) -> Mapped:
-    """Whether a law is dangerous at each delay with one kind of hand, and what it costs there.
+    """Whether a law is dangerous at each delay with one kind of hand, its cost there, and what moves on at rest.
 
     Args:
         cell: `study`, `setting`, and the delays.
@@ -253,6 +253,7 @@ def danger(cell: MapCell) -> Mapped:
     study, setting = Study.make(**cell["study"]), cell["setting"]
     risky: list[bool] = []
     costs: list[float] = []
+    restless: list[float] = []
     for delay in cell["delay"]:
         network = NetworkTable(name="map", delay=delay)
         here = study.model_copy(update={"networks": [network]})
@@ -261,10 +262,12 @@ def danger(cell: MapCell) -> Mapped:
             prepared = drawn(here, 0, setting)
             values = [_one(here, prepared, here.hands[0], task, 0)["cost"] for task in here.tasks]
             costs.append(float(np.mean(values)))
+            restless.append(_one(here, prepared, here.hands[0], "hold", 0)["restless"])
         except CotouchError:
             risky.append(True)
             costs.append(float("inf"))
-    return {"dangerous": risky, "cost": costs}
+            restless.append(float("inf"))
+    return {"dangerous": risky, "cost": costs, "restless": restless}
 
 
 def law_time(study: Study, law: LawTable) -> float:
@@ -351,7 +354,7 @@ def _gathered(
         "draw": np.arange(study.draws),
     }
     if study.map is not None:
-        for name in ("dangerous", "cost"):
+        for name in ("dangerous", "cost", "restless"):
             table = np.array([[row[name] for row in maps[law]] for law in laws], dtype=np.float64)
             data[f"map_{name}"] = (("law", "stiffness", "delay"), table)
         coordinates |= {"stiffness": study.map.stiffness, "delay": study.map.delay}

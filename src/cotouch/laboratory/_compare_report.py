@@ -258,6 +258,7 @@ def _mean(values: "xr.DataArray") -> float:
 
 def _maps(data: "xr.Dataset") -> Section:
     lines: list[list[str]] = []
+    moving: list[list[str]] = []
     stiffness = data["stiffness"].values.tolist()
     for law in data["law"].values.tolist():
         risky = data["map_dangerous"].sel(law=law).values == 1.0
@@ -267,6 +268,8 @@ def _maps(data: "xr.Dataset") -> Section:
             safe = 1e3 * data["delay"].values[: int(first[0]) if first.size else None]
             cells.append("–" if not safe.size else f"{'≥ ' if not first.size else ''}{safe[-1]:g}")
         lines.append(cells)
+        restless = data["map_restless"].sel(law=law).max("delay").values.tolist()
+        moving.append([escape(law), *(num(1e3 * value) for value in restless)])
     head = ["law", *(f"{value:g} N/m" for value in stiffness)]
     caption = (
         "<b>Cost over delay and stiffness of two users' hands.</b> Crossed cells are dangerous: a push grows, or goes "
@@ -274,6 +277,8 @@ def _maps(data: "xr.Dataset") -> Section:
     )
     body = figure(maps(data), "danger", caption, "Maps of cost over delay and stiffness, one for each law.")
     body += f"<p>The largest delay, one way, up to which none was found dangerous, in ms:</p>{table(head, lines)}"
+    body += "<p>Where both hold still at places of their own, speed of copies in the last fifth of a run, the most at "
+    body += f"any delay, in mm/s:</p>{table(head, moving)}"
     return Section(anchor="danger-maps", title="Where laws become dangerous", body=body)
 
 

@@ -26,6 +26,7 @@ MEASURES = {
     "place": ("m", "distance of a copy from the ideal, root mean square"),
     "force": ("1", "difference of the hands' forces from the ideal ones, as share of those"),
     "apart": ("m", "distance of a copy from the mean of all, root mean square"),
+    "restless": ("m/s", "speed of a copy against the ideal in the last fifth of the run, root mean square"),
     "rough": ("N", "largest step of a hand's force from one step to the next"),
     "made": ("J", "most energy that the links had made beyond what the law declares"),
     "extracted": ("J", "most that users got out beyond what there was"),
@@ -81,7 +82,9 @@ def measured(law: LawTable, prepared: Prepared, wanted: Ideal) -> dict[str, floa
         return {name: float("nan") if name in _UNKNOWN else float("inf") for name in MEASURES}
     place, force = run.place, run.force
     steps = min(place.shape[1], wanted.place.shape[0])
-    error = np.sqrt(((place[:, :steps] - wanted.place[:steps]) ** 2).sum(axis=-1).mean())
+    off_place = place[:, :steps] - wanted.place[:steps]
+    error = np.sqrt((off_place**2).sum(axis=-1).mean())
+    restless = np.sqrt((np.diff(off_place[:, -1 - steps // 5 :], axis=1) ** 2).sum(axis=-1).mean())
     gap = np.sqrt(((place - place.mean(axis=0)) ** 2).sum(axis=-1).mean()) if len(place) > 1 else 0.0
     felt, ideal_felt = force[:, : steps - 1], wanted.force[:, : steps - 1]
     wrong = np.sqrt(((felt - ideal_felt) ** 2).mean()) / wanted.size
@@ -93,6 +96,7 @@ def measured(law: LawTable, prepared: Prepared, wanted: Ideal) -> dict[str, floa
         "place": float(error),
         "force": float(wrong),
         "apart": float(gap),
+        "restless": float(restless) * (steps - 1) / span,
         "rough": float(np.abs(np.diff(force, axis=1)).max(initial=0.0)),
         "made": run.made,
         "extracted": run.extracted,

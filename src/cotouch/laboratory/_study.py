@@ -15,7 +15,7 @@ from cotouch.errors import NetworkError, ScenarioError
 from cotouch.files import list_of, read_text, table_of, toml
 from cotouch.laboratory._replicas import REPLICAS
 from cotouch.laboratory._study_tables import HandKind, LawTable, MapTable, NetworkTable, Tuning, Users
-from cotouch.laboratory._tasks import TASKS, Hands, Task
+from cotouch.laboratory._tasks import JUDGED, TASKS, Hands, Task
 from cotouch.laws import FORCE, law_named
 from cotouch.network import Network, complete, path, ring, star
 from cotouch.scenario import Positive, Scenario, Table, sentence
@@ -62,7 +62,7 @@ class Study(Table):
     graph: Literal["complete", "path", "ring", "star"] = "complete"
     spring: Positive = 50.0
     networks: Annotated[list[NetworkTable], Field(min_length=1, max_length=100)]
-    tasks: Annotated[list[str], Field(min_length=1)] = Field(default_factory=lambda: list(TASKS))
+    tasks: Annotated[list[str], Field(min_length=1)] = Field(default_factory=lambda: list(JUDGED))
     hands: Annotated[list[HandKind], Field(min_length=1, max_length=20)] = Field(default_factory=lambda: [HandKind()])
     stiffer: Annotated[float, Field(ge=1.0, le=100.0)] = 6.0
     body: dict[str, object] = Field(default_factory=lambda: {"kind": "point", "mass": 1.0})

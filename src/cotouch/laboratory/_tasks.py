@@ -1,4 +1,4 @@
-"""What hands do in a comparison: five tasks, each with draws of its own."""
+"""What hands do in a comparison: tasks, each with draws of its own."""
 
 from collections.abc import Callable
 from typing import Required, TypeAlias, TypedDict, Unpack
@@ -127,4 +127,31 @@ def press(users: int, stiffness: float, damping: float, rng: np.random.Generator
     return [_hand(1, stiffness, damping, path=route), *still]
 
 
-TASKS: dict[str, Make] = {"carry": carry, "tug": tug, "both": both, "handover": handover, "press": press}
+def hold(users: int, stiffness: float, damping: float, rng: np.random.Generator) -> Task:
+    """All pull, every second one the other way, and then hold still.
+
+    What copies do at rest shows: links that pay for forces have nothing left where stiff hands disagree.
+
+    Args:
+        users: how many hold, >= 1.
+        stiffness: of a hand, > 0 [N/m].
+        damping: of a hand, >= 0 [Ns/m].
+        rng: for lengths, rates and times of the draw.
+    """
+    places, late = 0.03 * rng.uniform(0.8, 1.2, users), rng.uniform(0.0, 0.2, users)
+    return [
+        _hand(i + 1, stiffness, damping, path=_reach(late[i], late[i] + 0.3, 0.0, (-1) ** i * places[i]))
+        for i in range(users)
+    ]
+
+
+TASKS: dict[str, Make] = {
+    "carry": carry,
+    "tug": tug,
+    "both": both,
+    "handover": handover,
+    "press": press,
+    "hold": hold,
+}
+# What laws are judged by, unless a study says otherwise.
+JUDGED = ("carry", "tug", "both", "handover", "press")

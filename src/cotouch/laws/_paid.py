@@ -37,7 +37,6 @@ from cotouch.laws._paid_fields import (
     DEGREE,
     E_IN,
     E_OUT,
-    EVENLY,
     FLOOR,
     FORCE_LIMIT,
     GD,
@@ -62,8 +61,6 @@ from cotouch.laws._paid_fields import (
     M_K,
     M_SINCE,
     M_T,
-    M_V,
-    M_WAY,
     MASS,
     PART_B,
     PART_EPOCH,
@@ -74,30 +71,30 @@ from cotouch.laws._paid_fields import (
     SEED,
     SPAN,
     STAMP,
-    STRETCH,
     TIME,
     UNHEARD,
     WAVE_IN,
     WAVE_OUT,
     WISH,
     X_BEFORE,
-    V,
     X,
 )
 from cotouch.laws._paid_guess import believed, check_guess
 from cotouch.laws._paid_hand import book_copy
-from cotouch.laws._paid_heard import Heard, Then, add_wish, between, bring_hand, place_then, wish
+from cotouch.laws._paid_heard import Heard, add_wish, between, bring_hand, wish
+from cotouch.laws._paid_hold import hold_on
 from cotouch.laws._paid_other import bring, credible, past, take_over, tell
 from cotouch.laws._paid_rows import pay, price, push_wave, receive_wave, return_wave
+from cotouch.laws._paid_touch import SMOOTH, stretch
 
-# So long is seen how a hand's force changes [s].
-_SMOOTH = 0.03
 # Share of the brake that a soft body keeps while its own user does not hold it: no hand fills the account there, and
 # what another's hand moves at one node, while all are braked, is stretched by what was to move it.
 _FREE = 0.1
 # What one grasps others cannot know of at once. A copy that is faster than this meanwhile is braked [m/s]; that pays
 # for what others' hands turn out to do. Before anybody is heard, an age is taken to be so long; none is longer [s].
 _FAST, _UNHEARD = 0.5, 0.6
+# A force that would need a greater damper beside it to be paid for is left out [Ns/m].
+_GREATEST = 1e6
 
 
 def _before(end: End) -> None:
@@ -167,10 +164,10 @@ def _before(end: End) -> None:
         if follows:
             kept[STAMP] = when
             kept[SPAN] += passed
-            part = min(passed / min(kept[SPAN], _SMOOTH), 1.0) if passed > 0.0 else 0.0
+            part = min(passed / min(kept[SPAN], SMOOTH), 1.0) if passed > 0.0 else 0.0
         as_one = told[M_AS_ONE] > 0.0
         if as_one:
-            _stretch(end, then, numbers[TIME] + 0.5 * T - when, fresh)
+            stretch(end, then, numbers[TIME] + 0.5 * T - when, fresh)
         # A hand that grasped or let go did so before this was heard.
         begun = when + 0.5 * told[M_T] - told[M_SINCE] - horizon
         taken = fresh and told[M_SINCE] >= 0.0 and take_over(end, begun)
@@ -213,44 +210,12 @@ def _before(end: End) -> None:
 
 
 @helper
-def _stretch(end: End, then: Then, since: float, fresh: bool) -> None:
-    """What touches goes on as it did, and pulls this copy to where its own is, over what it acts on.
-
-    Its force is late: what swings would be pushed on by it. So it is taken to change as its spring says of what this
-    copy did since, less what is done evenly: that is the aim's, and a spring against it would be a drag.
-
-    Args:
-        end: of the link.
-        then: where this copy was when the neighbour's sample was.
-        since: how long ago that is [s].
-        fresh: whether it is another hand than before.
-    """
-    T, x, own, got, told = end.T, end.position, end.shared, end.received, end.received_scalars
-    kept, memory, width, size = end.scalars, end.memory, end.width, end.position.shape[0]
-    for axis in range(width):
-        stretch = moved = faster = 0.0
-        for i in range(axis, size, width):
-            shape = got[M_WAY, i]
-            if shape != 0.0:
-                x_then, v_then = place_then(end, then, i)
-                stretch += shape * (told[M_K] * (end.sample[i] - x_then) + told[M_B] * (got[M_V, i] - v_then))
-                moved += shape * (x[i] + 0.5 * T * own[V, i] - x_then)
-                faster += shape * (own[V, i] - v_then)
-        if since > 0.0:
-            part = 1.0 if fresh else min(T / _SMOOTH, 1.0)
-            kept[EVENLY + axis] += part * (moved / since - kept[EVENLY + axis])
-            stretch -= told[M_K] * (moved - since * kept[EVENLY + axis]) + told[M_B] * faster
-        for i in range(axis, size, width):
-            if got[M_WAY, i] != 0.0 or memory[STRETCH, i] != 0.0:
-                memory[STRETCH, i] = got[M_WAY, i] * stretch
-
-
-@helper
 def _settle(end: End) -> None:
     """The payment, on the last of the copy's links."""
     T, numbers, p = end.T, end.shared_scalars, end.parameters
-    along, wished, speed = price(end)
     H = max(numbers[ACCOUNT], 0.0)
+    still = hold_on(end, H)
+    along, wished, speed = price(end)
     fraction = 1.0
     due = T * (along + sqrt(wished * speed))
     if due > 2.0 * H:
@@ -259,13 +224,13 @@ def _settle(end: End) -> None:
     root = sqrt(max((2.0 * H - T * along) ** 2 - T * T * wished * speed, 0.0))
     room = 2.0 * H - T * along + root
     b = T * wished / room if room > 0.0 and wished > 0.0 else 0.0
-    if b > 1e4:
+    if b > _GREATEST or (wished > 0.0 and not room > 0.0):
         fraction = b = 0.0
     pay(end, fraction, b)
     floor = 0.5 * numbers[LEVEL]
     free = numbers[HELD] == 0.0 and end.position.shape[0] > end.width
     beta = _FREE * p[BETA] if free else p[BETA]
-    b += beta * max(1.0 - H / floor, 0.0) if floor > 0.0 else beta
+    b += still + (beta * max(1.0 - H / floor, 0.0) if floor > 0.0 else beta)
     if numbers[TIME] - numbers[GRASPED_AT] < min(max(numbers[LONGEST], numbers[UNHEARD]), _UNHEARD):
         rows = end.position.shape[0] // end.width
         b += p[CALM] / end.copies * max(sqrt(speed / rows) - _FAST, 0.0)
@@ -293,6 +258,10 @@ def _share(facts: Facts) -> float:
 
 def _mass(facts: Facts) -> float:
     return facts.mass / (facts.degree + 1) / sqrt(facts.rows)
+
+
+def _still(facts: Facts) -> float:
+    return facts.mass * sqrt(facts.rows) / (facts.degree + 1)  # a force at a node moves some of a soft body
 
 
 def _calm(facts: Facts) -> float:
@@ -333,6 +302,12 @@ PAID = register(
                 most=1.0,
                 tuned=False,
             ),
+            Parameter(
+                name="still",
+                meaning="mass that a copy which cannot pay for its wish stops with; 0: it does not [kg]",
+                default=_still,
+                tuned=False,
+            ),
         ),
         sends=("U_out", "P", "Q", "w", "v", "way"),
         sends_scalars=("E_out", "k", "b", "epoch", "given", "T", "hands", "as one", "since", "age"),
@@ -350,7 +325,20 @@ PAID = register(
         ),
         fractions=(
             *("w", "wish", "f", "x", "v", "x before", "v before"),
-            *("x rate", "v rate", "f rate", "all w", "all P", "all Q", "asked", "touch", "told", "way", "acting"),
+            *(
+                "x rate",
+                "v rate",
+                "f rate",
+                "all w",
+                "all P",
+                "all Q",
+                "asked",
+                "touch",
+                "told",
+                "way",
+                "acting",
+                "exerted",
+            ),
             *(f"{name}{k}" for name in ("x", "v") for k in range(KEPT)),
             *(f"force{k}" for k in range(LOGGED)),
         ),

@@ -2,8 +2,8 @@
 
 # Of a copy; the past of x̂ and v̂ follows the fields, its times the numbers.
 W, WISH, FELT, X, V, X_BEFORE, V_BEFORE, X_RATE, V_RATE, F_RATE, ALL_W, ALL_P, ALL_Q = range(13)
-ASKED, TOUCH, TOLD, WAY, ACTING = range(13, 18)
-PAST, KEPT, EVERY = 18, 128, 0.004
+ASKED, TOUCH, TOLD, WAY, ACTING, EXERTED = range(13, 19)
+PAST, KEPT, EVERY = 19, 128, 0.004
 ACCOUNT, TIME, K, LEVEL, EPOCH, XX, XV, VV, XF, VF = range(10)
 HELD, COUNT, BRAKE, OWN_B, NEW_K, NEW_B, STEADY = range(10, 17)
 ALL_K, ALL_B, ALL_EPOCH, ALL_HANDS = range(17, 21)  # of the hands that all links bring
@@ -30,6 +30,6 @@ M_WAVE, M_P, M_Q, M_W, M_V, M_WAY = range(6)
 M_E, M_K, M_B, M_EPOCH, M_GIVEN, M_T, M_HANDS, M_AS_ONE, M_SINCE, M_AGE = range(10)
 
 # Parameters.
-SEED, FLOOR, BETA, GK, GD, LINE, MASS, AHEAD, CALM, FORCE_LIMIT, RELAY = range(11)
+SEED, FLOOR, BETA, GK, GD, LINE, MASS, AHEAD, CALM, FORCE_LIMIT, RELAY, STILL = range(12)
 # What a hand may be [N/m, Ns/m].
 STIFFEST, DAMPEST = 5000.0, 100.0

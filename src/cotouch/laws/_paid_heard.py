@@ -33,11 +33,8 @@ from cotouch.laws._paid_fields import (
     V,
     X,
 )
-from cotouch.laws._paid_rows import ONE
+from cotouch.laws._paid_rows import NOTHING, ONE
 from cotouch.mechanics import FOUR, load, size, splat, store, total, where
-
-# No force, nor integral of it, that anything could tell from none [N, Ns, Ns²].
-_NOTHING = 1e-15
 
 
 class Then(NamedTuple):
@@ -199,7 +196,7 @@ def _bring_hand(end: End, h: Heard, first: int, last: int, lanes: tuple[int, ...
         store(hands, r, hand, lanes)
         store(guesses, r, hand, lanes)
         kept = total(size(a) + size(aa) + size(slope) + size(one) + size(two))
-        if acts == 0.0 and kept < _NOTHING:
+        if acts == 0.0 and kept < NOTHING:
             # What has died away is as if it had never been; so it costs nothing, and no number gets too small.
             a, aa, slope, one, two, w, more, more2 = (
                 nothing,
@@ -211,7 +208,7 @@ def _bring_hand(end: End, h: Heard, first: int, last: int, lanes: tuple[int, ...
                 nothing,
                 nothing,
             )
-        store(alive, r, splat(0.0 if acts == 0.0 and kept < _NOTHING else 1.0, lanes), lanes)
+        store(alive, r, splat(0.0 if acts == 0.0 and kept < NOTHING else 1.0, lanes), lanes)
         store(slopes, r, slope, lanes)
         store(a_row, r, a, lanes)
         store(a2_row, r, aa, lanes)

@@ -7,6 +7,8 @@ from cotouch.laws._end import End
 from cotouch.laws._helper import helper
 from cotouch.laws._paid_fields import (
     ASKED,
+    BRAKE,
+    EXERTED,
     KEPT,
     M_WAVE,
     PAST,
@@ -19,10 +21,15 @@ from cotouch.laws._paid_fields import (
     V,
     X,
 )
-from cotouch.mechanics import FOUR, load, splat, store, total
+from cotouch.mechanics import FOUR, load, size, splat, store, total, where
 
 # Lanes of a number that is alone.
 ONE = (0,)
+# No force, nor integral of it, that anything could tell from none; no number gets so small that it costs time
+# [N, Ns, Ns²].
+NOTHING = 1e-15
+# What is exerted is evened out over so long [s].
+_EVEN = 0.02
 
 
 @helper
@@ -149,13 +156,18 @@ def _go_on(end: End, first: int, last: int, lanes: tuple[int, ...]) -> tuple[flo
     own, position, mean, weight = end.shared, end.position, end.mean, end.weight
     x, v, x_before, v_before, wishes = own[X], own[V], own[X_BEFORE], own[V_BEFORE], own[WISH]
     done, speed, half = splat(0.0, lanes), splat(0.0, lanes), 0.5 * end.T
+    exerted, brake, part = own[EXERTED], end.shared_scalars[BRAKE], min(end.T / _EVEN, 1.0)
+    nothing, least = splat(0.0, lanes), splat(NOTHING, lanes)
     for r in range(first, last):
         now, weighed = load(mean, r, lanes), load(weight, r, lanes)
         store(x_before, r, load(x, r, lanes), lanes)
         store(v_before, r, load(v, r, lanes), lanes)
         store(x, r, load(position, r, lanes) - half * now, lanes)
         store(v, r, now, lanes)
-        done = done + weighed * now * load(wishes, r, lanes)
+        wish, before = load(wishes, r, lanes), load(exerted, r, lanes)
+        after = before + part * (wish - brake * now - before)
+        store(exerted, r, where(size(after) - least, after, nothing), lanes)
+        done = done + weighed * now * wish
         speed = speed + weighed * now * now
     return total(done), total(speed)
 

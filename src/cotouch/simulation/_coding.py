@@ -50,7 +50,6 @@ def check_codec(scenario: Scenario, ready: Model, law: Law, weight: Int) -> None
         (bool(scenario.tools), "tools"),
         (scenario.record.frames is not None, "record.frames"),
         (scenario.cutting is not None, "cutting"),
-        (ready.force is not None, "a body or world of forces that are not linear"),
     ):
         if there:
             raise ScenarioError(

@@ -3,10 +3,10 @@
 import numpy as np
 
 from cotouch.arrays import Float
-from cotouch.mechanics import ELASTIC, KINETIC, LEDGER_COLUMNS, State, settle
+from cotouch.mechanics import CLOSURE_ALARM, ELASTIC, KINETIC, LEDGER_COLUMNS, State, closed_settle, settle, unsettled
 from cotouch.peer import StepReport
 from cotouch.simulation._batch import Outcome, Traffic, run_batch
-from cotouch.simulation._layout import SLOT_LEDGER, TICK_LEDGER, USER_LEDGER, Record
+from cotouch.simulation._layout import CLOSED_BOOKS, SLOT_LEDGER, TICK_LEDGER, USER_LEDGER, WORLD_BOOKS, Record
 from cotouch.simulation._peers import PeerRun, run_peers
 from cotouch.simulation._prepare import Prepared
 
@@ -32,6 +32,8 @@ def _recorded(prepared: Prepared, run: PeerRun) -> Outcome:
     records = int(timing.count.max()) // every + 1
     kept = np.concatenate([ready.port_rows(int(node)) for node in prepared.nodes])
     shape, width = ready.port_shapes(kept), ready.width
+    books = len(USER_LEDGER) + (0 if ready.force is None else len(CLOSED_BOOKS))
+    books += len(WORLD_BOOKS) if ready.force is not None and ready.force.world is not None else 0
 
     def seen(field: Float) -> Float:
         return np.asarray(shape @ field if shape.shape[0] else field[:, kept])
@@ -43,7 +45,7 @@ def _recorded(prepared: Prepared, run: PeerRun) -> Outcome:
         position=np.empty((users, records, kept.size, width)),
         velocity=np.empty((users, records, kept.size, width)),
         force=np.zeros((hands.row.size, records, width)),
-        users=np.zeros((len(USER_LEDGER), users, records)),
+        users=np.zeros((books, users, records)),
         slots=np.zeros((len(SLOT_LEDGER), slots.link.size, records)),
         links=np.zeros((records, len(prepared.scenario.network.links))),
         ticks=np.zeros((len(TICK_LEDGER), records)),
@@ -57,8 +59,7 @@ def _recorded(prepared: Prepared, run: PeerRun) -> Outcome:
         last = taken[i] // every + 1
         record.position[i, :last] = seen(run.position[i][::every])
         record.velocity[i, :last] = seen(run.velocity[i][::every])
-        ledger = np.array([_row(report) for report in reports]).reshape(-1, len(USER_LEDGER))
-        ledger[:, :4] = np.cumsum(ledger[:, :4], axis=0)
+        ledger = _ledger(reports, books)
         record.users[4:6, i, 0] = start[i]
         record.lowest[1 + i] = min(0.0, start[i, 1], *(report.elastic for report in reports))
         record.users[:, i, 1:last] = ledger[every - 1 :: every].T
@@ -86,21 +87,33 @@ def _recorded(prepared: Prepared, run: PeerRun) -> Outcome:
     )
 
 
+def _ledger(reports: list[StepReport], books: int) -> Float:
+    """What a user's steps booked, as `Record.users` has it, (steps, books)."""
+    result = np.array([_row(report)[:books] for report in reports]).reshape(-1, books)
+    for summed in (slice(0, 4), slice(7, 8), slice(9, 11)):
+        result[:, summed] = np.cumsum(result[:, summed], axis=0)
+    result[:, 8:9] = np.maximum.accumulate(result[:, 8:9], axis=0)
+    return result
+
+
 def _row(report: StepReport) -> tuple[float, ...]:
+    """Of all ledgers that there may be."""
     losses = report.body_loss, report.local_loss, report.extra_loss
-    return report.supplied, *losses, report.kinetic, report.elastic, float(report.iterations)
+    own = report.supplied, *losses, report.kinetic, report.elastic, float(report.iterations)
+    alarm = report.closure_factor > CLOSURE_ALARM or report.shortened > 0.0
+    closed = report.closure, report.closure_factor, float(alarm)
+    return *own, *closed, report.world_loss, report.world_stored, *report.world_force
 
 
 def _energies(prepared: Prepared, run: PeerRun, i: int) -> tuple[float, float]:
     """Kinetic and elastic energy of a copy at the start [J]."""
     ready, ledger = prepared.model, np.zeros(LEDGER_COLUMNS)
     rows = np.zeros((2, ready.operator_rows, ready.width))
-    settle(
-        ready.operator,
-        State(run.position[i][0].copy(), run.velocity[i][0].copy(), rows[0], rows[1], np.zeros(ready.memory)),
-        ledger,
-        ready.lanes,
-    )
+    state = State(run.position[i][0].copy(), run.velocity[i][0].copy(), rows[0], rows[1], unsettled(ready, i))
+    if ready.force is None:
+        settle(ready.operator, state, ledger, ready.lanes)
+    else:
+        closed_settle(ready.operator, ready.force, state, ready.workspace(0), ledger, ready.lanes)
     return float(ledger[KINETIC]), float(ledger[ELASTIC])
 
 
