@@ -2,7 +2,7 @@
 
 import base64
 from dataclasses import dataclass
-from typing import Any, Final, final
+from typing import Final, final
 
 import numpy as np
 
@@ -33,7 +33,7 @@ class DrawnTexture:
     angle: float
     projection: str
 
-    def table(self) -> dict[str, Any]:
+    def table(self) -> dict[str, object]:
         """As JSON's values; heights are shares of the top in 16 bits."""
         levels = np.rint(np.clip(self.heights / self.top, 0.0, 1.0) * _LEVELS).astype("<u2")
         return {
