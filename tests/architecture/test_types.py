@@ -36,7 +36,7 @@ def test_unknown_types_are_let_pass_at_borders_only() -> None:
 
 
 def test_any_stands_at_borders_only() -> None:
-    """Where numba compiles for many types, `Any` is their name; else it is for libraries without types and JSON."""
+    """Where numba compiles for many types they are `Any`; elsewhere only JSON and libraries without types are."""
     compiled = {"mechanics", "laws", "hands", "peer", "compiled.py", "passing.py", "translation.py"}
     word = re.compile(r"\bAny\b(?! \w)")
     said = [

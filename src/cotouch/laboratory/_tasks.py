@@ -1,7 +1,7 @@
 """What hands do in a comparison: tasks, each with draws of its own."""
 
 from collections.abc import Callable
-from typing import Required, TypeAlias, TypedDict, Unpack
+from typing import TypeAlias, TypedDict, Unpack
 
 import numpy as np
 
@@ -20,9 +20,9 @@ class _More(TypedDict, total=False):
 class TaskHand(_More):
     """A hand of a task: its user from 1, stiffness [N/m], damping [Ns/m], and what it does."""
 
-    user: Required[int]
-    stiffness: Required[float]
-    damping: Required[float]
+    user: int
+    stiffness: float
+    damping: float
 
 
 Task: TypeAlias = list[TaskHand]
