@@ -34,9 +34,9 @@ from cotouch.mechanics._vector import at, put
 
 # Numbers of each body: mass, momentum, kinetic energy, what it lacks, what of its energy is about its centre, how much
 # energy went to and fro; the factor on its velocity, the velocity about which that acts; whether it shares with others
-# what it lacks, and by which factor it goes further in the next attempt, 0: its group is closed, `STILL`: it moves by
-# nothing but rounding. What attempts keep: how far it went, how far was too little
-# and too much, whether something outside holds it, and one that it has been of one group with.
+# what it lacks, and whether its group is open, 0: it is closed, `STILL`: it moves by nothing but rounding. What
+# attempts keep: how far it goes, how far was too little and too much, whether something outside holds it, and one that
+# it has been of one group with.
 MASS, MOMENTUM, MOVING, LACKS, ABOUT, FLOW, FACTOR, CENTRE, SHARES, OPEN = 0, 1, 4, 5, 6, 7, 8, 9, 12, 13
 LENGTH, TOO_LITTLE, TOO_MUCH, TIED, WITH = 14, 15, 16, 17, 18
 STILL = -1.0
@@ -171,11 +171,11 @@ def decide(parts: Parts | None, weighed: Float, attempt: int, others: bool) -> t
 
 @inner
 def _go_on(parts: Parts, b: int, far: bool) -> None:
-    """Says by which factor a body is to go further in the next attempt, as what it went was too much or too little."""
+    """Says how far a body is to go in the next attempt, as what it went was too much or too little."""
     length = at(parts.sums, (b, LENGTH))
     put(parts.sums, (b, TOO_MUCH if far else TOO_LITTLE), length)
     following = next_length(length, at(parts.sums, (b, TOO_LITTLE)), at(parts.sums, (b, TOO_MUCH)))
-    put(parts.sums, (b, OPEN), following / length if length > 0.0 else 1.0)
+    put(parts.sums, (b, OPEN), 1.0)
     put(parts.sums, (b, LENGTH), following if length > 0.0 else 0.0)
 
 

@@ -12,10 +12,11 @@ import math
 from cotouch.arrays import Float
 from cotouch.mechanics._balance import FIXED
 from cotouch.mechanics._balance_groups import CENTRE, LENGTH, MASS, OPEN, STILL, TIED, WITH, is_tied
+from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Meeting, Parts
 from cotouch.mechanics._operator import Operator
-from cotouch.mechanics._state import Ports, Workspace
+from cotouch.mechanics._state import Ports, State, Workspace
 from cotouch.mechanics._vector import at, load, put, splat, store, total
 from cotouch.mechanics._world import World
 
@@ -147,17 +148,31 @@ def _note(parts: Parts | None, i: int, work: Workspace) -> None:
 
 
 @part
-def _find_centres(op: Operator, parts: Parts, mean: Float) -> None:
-    """Writes how fast the centre of each body's group goes, where nothing outside holds it; else 0."""
+def ask_length(work: Workspace, lanes: tuple[int, ...]) -> None:
+    """Keeps the way that a direction asks for, of which attempts at a step go a part; nothing else is to be solved."""
+    for i in range(work.mean.shape[0]):
+        store(work.rhs, i, load(work.mean, i, lanes), lanes)
+
+
+@part
+def ask_fall(op: Operator, force: BodyForce, state: State, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
+    """Asks for the way that weight alone gives: what a direction asks for that went astray says nothing of a centre."""
+    for i in range(work.mean.shape[0]):
+        gained = (0.5 * T * op.firmness) * load(force.gravity, i, lanes)
+        store(work.rhs, i, load(state.velocity, i, lanes) + gained, lanes)
+
+
+@part
+def _find_centres(op: Operator, parts: Parts, asked: Float) -> None:
+    """Writes how fast the centre of each body's group is to go, where nothing outside holds it; else 0."""
     for b in range(parts.held.shape[0]):
         for a in range(3):
             put(parts.sums, (b, CENTRE + a), 0.0)
     for i in range(op.mass.shape[0]):
         group = at(parts.met.group, at(parts.part, i))
         for a in range(3):
-            put(
-                parts.sums, (group, CENTRE + a), at(parts.sums, (group, CENTRE + a)) + at(op.mass, i) * at(mean, (i, a))
-            )
+            more = at(op.mass, i) * at(asked, (i, a))
+            put(parts.sums, (group, CENTRE + a), at(parts.sums, (group, CENTRE + a)) + more)
     for group in range(parts.held.shape[0]):
         if at(parts.met.group, group) == group:
             mass, goes = 0.0, 0.0
@@ -189,17 +204,17 @@ def _scale(mean: Float, i: int, factor: float, lanes: tuple[int, ...]) -> None:
 
 @part
 def set_length(
-    op: Operator, parts: Parts | None, work: Workspace, factor: float, rest: bool, lanes: tuple[int, ...]
+    op: Operator, parts: Parts | None, work: Workspace, length: float, rest: bool, lanes: tuple[int, ...]
 ) -> bool:
-    """Scales how far a body goes; of several those whose groups are not closed, each as `decide` says.
+    """Sets how much of the way asked for a body goes; of several those whose groups are not closed, as `decide` says.
 
     Who rests stays, which is no shorter way.
 
     Args:
         op: the bodies.
         parts: which of them is which; None: there is one.
-        work: `mean` is changed; `find_outside` has told who is held.
-        factor: by which.
+        work: `rhs` holds the way, `mean` gets it; `find_outside` has told who is held.
+        length: how much of it, of one body; of several 0: none, else what `decide` says.
         rest: about rest, whether anything holds them or not.
         lanes: fixes the width of a row.
 
@@ -207,24 +222,21 @@ def set_length(
         Whether any of it had gone anywhere.
     """
     if parts is None:
-        return _set_alone(op, work, factor, rest or at(work.weighed, FIXED) != 0.0, lanes)
-    mean, gone = work.mean, False
+        return _set_alone(op, work, length, rest or at(work.weighed, FIXED) != 0.0, lanes)
+    mean, asked, gone = work.mean, work.rhs, False
     if not rest:
-        _find_centres(op, parts, mean)
+        _find_centres(op, parts, asked)
     for b in range(parts.held.shape[0]):
-        if factor == 0.0 and at(parts.sums, (b, OPEN)) > 0.0:
+        if length == 0.0 and at(parts.sums, (b, OPEN)) > 0.0:
             put(parts.sums, (b, LENGTH), 0.0)
     for i in range(mean.shape[0]):
         b = at(parts.part, i)
-        asked = at(parts.sums, (b, OPEN))
-        goes = 0.0 if asked == STILL else factor * asked if asked != 0.0 else 1.0
-        if goes != 1.0:
-            for a in range(3):
-                rate, about = at(mean, (i, a)), 0.0
-                if not rest and asked > 0.0:
-                    about = at(parts.sums, (at(parts.met.group, b), CENTRE + a))
-                gone = gone or rate != 0.0
-                put(mean, (i, a), about + goes * (rate - about) if goes > 0.0 else about)
+        state = at(parts.sums, (b, OPEN))
+        goes = 0.0 if state == STILL else at(parts.sums, (b, LENGTH))
+        for a in range(3 if state != 0.0 else 0):
+            about = 0.0 if rest or state == STILL else at(parts.sums, (at(parts.met.group, b), CENTRE + a))
+            gone = gone or at(mean, (i, a)) != 0.0
+            put(mean, (i, a), about + goes * (at(asked, (i, a)) - about) if goes > 0.0 else about)
     return gone
 
 
@@ -239,19 +251,19 @@ def stop_all(parts: Parts | None, mean: Float, lanes: tuple[int, ...]) -> None:
 
 
 @part
-def _set_alone(op: Operator, work: Workspace, factor: float, rest: bool, lanes: tuple[int, ...]) -> bool:
+def _set_alone(op: Operator, work: Workspace, length: float, rest: bool, lanes: tuple[int, ...]) -> bool:
     """`set_length` of one body."""
-    mean, gone, about, mass = work.mean, False, splat(0.0, lanes), 0.0
+    mean, asked, gone, about, mass = work.mean, work.rhs, False, splat(0.0, lanes), 0.0
     for i in range(0 if rest else mean.shape[0]):
-        about, mass = about + at(op.mass, i) * load(mean, i, lanes), mass + at(op.mass, i)
+        about, mass = about + at(op.mass, i) * load(asked, i, lanes), mass + at(op.mass, i)
     if mass > 0.0:
         about = (1.0 / mass) * about
     if not total(about * about) < math.inf:
         about = splat(0.0, lanes)
     for i in range(mean.shape[0]):
-        rate = load(mean, i, lanes)
+        rate, goes = load(mean, i, lanes), load(asked, i, lanes)
         gone = gone or total(rate * rate) != 0.0
-        store(mean, i, about + factor * (rate - about) if factor > 0.0 else about, lanes)
+        store(mean, i, about + length * (goes - about) if length > 0.0 else about, lanes)
     return gone
 
 

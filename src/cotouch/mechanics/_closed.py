@@ -29,7 +29,16 @@ from cotouch.mechanics._balance import (
     weigh,
 )
 from cotouch.mechanics._balance_groups import OTHERS, resting_parts, start_attempts
-from cotouch.mechanics._balance_length import find_outside, free_groups, keep_groups, set_length, shortest, stop_all
+from cotouch.mechanics._balance_length import (
+    ask_fall,
+    ask_length,
+    find_outside,
+    free_groups,
+    keep_groups,
+    set_length,
+    shortest,
+    stop_all,
+)
 from cotouch.mechanics._balance_parts import close_all, free_parts, keep_parts
 from cotouch.mechanics._direction import direct, level, predict
 from cotouch.mechanics._force import BodyForce, evaluate
@@ -137,6 +146,7 @@ def closed_step(
     square, off, astray = 1.0, _FAR_OFF, False
     start_attempts(force.parts)
     free_groups(force.parts)
+    ask_length(work, lanes)
     work.weighed[FIXED] = 0.0
     while True:
         keep_place(state, work, lanes)
@@ -193,20 +203,23 @@ def closed_step(
             level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, False, work, lanes)
             start_attempts(force.parts)
             keep_groups(force.parts)
+            ask_length(work, lanes)
         else:
             # What cannot be closed, or would still pass an obstacle, stays where it is at last: what nothing outside
             # holds with its centre first, then as it is.
-            left, goes = LAST_ATTEMPT - attempt, 1.0
-            stays = still or left <= (2 if alone else OTHERS)
+            left = LAST_ATTEMPT - attempt
+            stays = still or left <= (3 if alone else OTHERS)
             refused = refused or (stays and not still)
             if alone and not stays:
                 least, greatest = (least, length) if passed or not square > MOST else (length, greatest)
-                goes = next_length(length, least, greatest) / length
-            length = length if still else 0.0 if stays else goes * length
+                length = next_length(length, least, greatest)
+            length = 0.0 if stays and not still else length
             rest = still or left <= (1 if alone else OTHERS - 2)
+            if left == (2 if alone else OTHERS - 1):
+                ask_fall(op, force, state, T, work, lanes)
             if left <= 1:
                 stop_all(force.parts, work.mean, lanes)
-            elif not set_length(op, force.parts, work, 0.0 if stays else goes, rest, lanes):
+            elif not set_length(op, force.parts, work, 0.0 if stays else length, rest, lanes):
                 # Nothing that goes less far would be any different.
                 refused, attempt = refused or not still, max(attempt, LAST_ATTEMPT - 1)
                 length = length if still else 0.0

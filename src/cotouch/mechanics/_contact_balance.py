@@ -22,7 +22,15 @@ from cotouch.mechanics._balance import (
     weigh,
 )
 from cotouch.mechanics._balance_groups import LAST_OF_ALL, OTHERS, start_attempts
-from cotouch.mechanics._balance_length import find_outside, free_groups, set_length, shortest, stretch
+from cotouch.mechanics._balance_length import (
+    ask_fall,
+    ask_length,
+    find_outside,
+    free_groups,
+    set_length,
+    shortest,
+    stretch,
+)
 from cotouch.mechanics._balance_parts import close_all, judge
 from cotouch.mechanics._contact_press import press_tool, rub
 from cotouch.mechanics._contact_snap import draw_tool
@@ -132,6 +140,7 @@ def balanced(
         keep_place(state, work, lanes)
         start_attempts(force.parts)
         free_groups(force.parts)
+        ask_length(work, lanes)
         work.weighed[FIXED] = 1.0
     least, greatest = (1.0 - _EASY, 1.0 + _EASY) if touches else (LEAST, MOST)
     held_back = held_back or most < 1.0
@@ -179,6 +188,8 @@ def balanced(
                 go_back(force, state, work, lanes)
                 find_outside(op, force.world, force.parts, ports, T, work, lanes)
                 left = LAST_ATTEMPT - shorter
+                if left == OTHERS - 1:
+                    ask_fall(op, force, state, T, work, lanes)
                 set_length(op, force.parts, work, 0.0 if left <= OTHERS else 1.0, left <= OTHERS - 2, lanes)
                 shorter += 1
                 continue
