@@ -92,6 +92,16 @@ def test_springs_without_damping_are_dangerous_at_long_delays_and_with_it_nowher
     assert found["cost"][0] < found["cost"][1]
 
 
+def test_what_does_not_come_to_rest_is_seen() -> None:
+    """Two who pull apart through an account that is soon empty: copies shivered, and no push told."""
+    laws = [{"name": "shivers", "law": {"kind": "paid", "still": 0.0}}, "paid"]
+    part = study(laws=laws, hands=[{"stiffness": 1800.0}], tasks=["carry"]).model_dump(mode="json")
+    found = [danger({"setting": {}, "delay": [0.1], "study": part | {"laws": [law]}}) for law in part["laws"]]
+    assert [one["dangerous"] for one in found] == [[False], [False]]
+    assert found[0]["restless"][0] > 5e-3
+    assert found[1]["restless"][0] < 1e-3
+
+
 def test_copies_that_nobody_holds_are_looked_at_by_themselves() -> None:
     whole = study()
     active, hand = LawTable(name="P", law="spring", damping=0.0), HandKind()
