@@ -10,6 +10,7 @@ from typing import Any
 from cotouch.arrays import Float
 from cotouch.mechanics._balance import (
     FIXED,
+    HAVE,
     LAST_ATTEMPT,
     LEAST,
     MOST,
@@ -144,7 +145,7 @@ def balanced(
         work.weighed[FIXED] = 1.0
     least, greatest = (1.0 - _EASY, 1.0 + _EASY) if touches else (LEAST, MOST)
     held_back = held_back or most < 1.0
-    seeks, still, rounded, told = not held_back, False, True, False
+    seeks, still, rounded, hardly, told = not held_back, False, True, False, False
     scale, have, last, last_over, tries, halves, shrinks = most, 1.0, 0.0, 0.0, 0, 0, _ROUNDING
     shorter = 0
     pushed = touch.push[: op.mass.shape[0] if look else 0]
@@ -180,6 +181,7 @@ def balanced(
             )
             over, noise = op.copy_scale * over, op.copy_scale * weighed[NOISE]
             rounded = abs(over) <= op.copy_scale * max(weighed[NOISE], weighed[ROUGH])
+            hardly = weighed[HAVE] <= weighed[ROUGH]  # by the rounding of places, which tells nothing of forces
             fine = abs(over) <= noise or (least <= square <= greatest and (seeks or over < 0.0))
             fine = fine or (rounded and square >= 0.0)  # forces and energy do not disagree
             fine = fine and not passed
@@ -213,7 +215,7 @@ def balanced(
         if not (seeks or begins_anew):
             if not (over < -noise or passed) or halves == _HALVES:
                 break
-            halves, told = halves + 1, told or not rounded
+            halves, told = halves + 1, told or not (rounded or hardly)
             shrinks = min(16.0 * shrinks, 0.5)
             scale = (1.0 - shrinks) * scale if halves < _HALVES else 0.0
         if force is not None:
