@@ -257,6 +257,21 @@ def test_looks_meet_what_slides_to_rounding() -> None:
     assert np.median(closed) <= 1e-10
 
 
+def test_looks_meet_what_slides_along_edges_to_rounding() -> None:
+    """Points of the one slide along edges between triangles of the other, in one plane: rounding does not choose."""
+    depth = G / (1e7 * SIDE**2)
+    low, high = (die(5), (0.0, 0.0, 0.5 * SIDE - 2.0 * depth), (0.0,) * 3), (die(5), (0.0, 0.0, 1.5 * SIDE), (0.0,) * 3)
+    pair = Several(low, high, between=Between(), obstacles=(Obstacle(shape=Plane(), stiffness=1e7),), pull=G)
+    pair.run(100)
+    pair.state.velocity[pair.span(1), 0] += 0.3
+    closed_settle(pair.model.operator, pair.force, pair.state, pair.work, pair.ledger, pair.model.lanes)
+    closed: list[float] = []
+    for _ in range(8):
+        did = pair.step(1e-3)
+        closed.append(abs(did[CLOSURE]) / did[KINETIC])
+    assert np.median(closed) <= 1e-12
+
+
 def lean(pair: Several, angle: float) -> None:
     pull = G * np.array([np.sin(angle), 0.0, -np.cos(angle), 0.0])
     pair.force = pair.force._replace(gravity=np.tile(pull, (pair.force.gravity.shape[0], 1)))

@@ -12,7 +12,7 @@ from cotouch.errors import OutputError, ScenarioError
 from cotouch.network import Network
 from cotouch.scenario import Scenario
 from cotouch.simulation import dataset, prepare, run_batch, save, simulate, tables
-from cotouch.simulation._result import _UNITS, RIGID_TOOL_UNITS, TOOL_UNITS
+from cotouch.simulation._result import _UNITS, TOOL_UNITS
 
 PAIR: dict[str, Any] = {
     "users": ["Ann", "Ben"],
@@ -48,7 +48,7 @@ def test_dimensions_and_units(run: xr.Dataset) -> None:
     assert run["axis"].values.tolist() == ["x", "y"]
     assert run["direction"].values.tolist() == ["1<-2", "2<-1"]
     assert run["link"].values.tolist() == ["1-2"]
-    assert set(run.data_vars) == set(_UNITS) - set(TOOL_UNITS) - set(RIGID_TOOL_UNITS) - {
+    assert set(run.data_vars) == {name for name in _UNITS if not name.startswith("rigid_")} - set(TOOL_UNITS) - {
         "frame_position",
         *_CLOSED,
         *_WORLD,

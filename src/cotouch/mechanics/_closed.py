@@ -40,7 +40,7 @@ from cotouch.mechanics._balance_length import (
     stop_all,
 )
 from cotouch.mechanics._balance_parts import close_all, free_parts, keep_parts
-from cotouch.mechanics._direction import direct, level, predict
+from cotouch.mechanics._direction import begin_looks, direct, level, predict
 from cotouch.mechanics._force import BodyForce, evaluate
 from cotouch.mechanics._force_memory import looks_ahead
 from cotouch.mechanics._force_together import begin
@@ -111,6 +111,7 @@ def closed_step(
     """
     take_up(force.world, state.memory, state.position)
     free_parts(force.parts)
+    begin_looks(work)
     ledger[ITERATIONS] = 0.0
     for i in range(op.mass.shape[0]):
         store(work.mean, i, load(state.velocity, i, lanes), lanes)

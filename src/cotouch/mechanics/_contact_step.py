@@ -21,7 +21,7 @@ from cotouch.mechanics._contact_snap import begin_snap, end_snap, owed_drag
 from cotouch.mechanics._contact_solve import lacking, solve_touched
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import Contact, ContactWork
-from cotouch.mechanics._direction import hold_ports, level, predict
+from cotouch.mechanics._direction import begin_looks, hold_ports, level, predict
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import looks_ahead
 from cotouch.mechanics._grasp import feel_grasp, take
@@ -104,6 +104,7 @@ def contact_step(
         for i in range(mean.shape[0]):
             store(mean, i, load(state.velocity, i, lanes), lanes)
         take_up(force.world, state.memory, state.position)
+        begin_looks(work)
         directions = looks_ahead(state.memory, force.directions, force.cut)
         looks = looks_of(force.world, directions, work.dense.shape[0] > 0)
         begins = looks > 1 and force.parts is None

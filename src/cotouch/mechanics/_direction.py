@@ -18,6 +18,8 @@ COARSE = 0.03
 FEW = 2
 # Change of v̂ from one look to the next, of itself, below which the next would change it by rounding only.
 _SETTLED = 1e-9
+# What the next would, where changes shrink at least so fast from look to look, as they do by a true tangent.
+_LEFT, _SHRINKS = 1e-11, 0.1
 
 
 @part
@@ -270,6 +272,13 @@ def _take_port(ports: Ports, parts: Parts | None, p: int, gain: float, work: Wor
                 put(work.rhs, (i, a), at(work.rhs, (i, a)) - own * share * at(work.mean, (j, a)))
 
 
+@inner
+def begin_looks(work: Workspace) -> None:
+    """No look at the step at hand was taken."""
+    if work.tried.shape[0] > 0:
+        put(work.tried, (work.tried.shape[0] - 1, 0), -1.0)
+
+
 @part
 def predict(
     op: Operator, force: BodyForce, state: State, T: float, whole: bool, work: Workspace, lanes: tuple[int, ...]
@@ -342,5 +351,9 @@ def _lean(
     for p in range(dense.shape[0]):
         for q in range(dense.shape[1]):
             put(dense, (p, q), scale * at(dense, (p, q)))
+    last = at(work.tried, (rate.shape[0], 0))
+    put(work.tried, (rate.shape[0], 0), change if last >= 0.0 else 0.0)  # of the first look there is none
+    # Each look leaves that share of the last one's change by which that was smaller than the one before.
+    done = change <= _SHRINKS * _SHRINKS * last and change * change <= _LEFT * _LEFT * size * last
     # Who rests has a v̂ of noise alone, which changes places by less than they are rounded.
-    return change <= _SETTLED * _SETTLED * size or T * T * change <= force.rounding * force.rounding
+    return done or change <= _SETTLED * _SETTLED * size or T * T * change <= force.rounding * force.rounding

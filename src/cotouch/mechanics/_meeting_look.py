@@ -12,7 +12,7 @@ from cotouch.mechanics._vector import at, put
 from cotouch.mechanics._world import World
 
 # A step may go so many times as far as it would at the speed where it begins, before what is near is looked for anew.
-_AHEAD = 2.0
+_AHEAD = 1.5
 # And is looked for anew for a motion so many times shorter: what is far may be found instead of what is near.
 _GENEROUS = 4.0
 

@@ -93,7 +93,9 @@ def keep_nearer(m: Meeting, place: Float, f: int, x: float, y: float, z: float, 
     """Notes a triangle in row e of `out`, and of `face`, if it is nearer than what is noted there.
 
     Of two that are as near, at an edge or a corner, it is the one whose plane is farther away, whose side of it is the
-    side of the skin. `out` gets for now the square of the distance, and the height above the plane beside it.
+    side of the skin; of two in one plane the one that the point is above, else the first. Beside the other one by a
+    hair, the normal would be turned by as much; and where rounding chose, looks would find no end. `out` gets for now
+    the square of the distance, and the height above the plane beside it.
     """
     if is_hidden(m, f) or f == at(m.face, (e, col)):
         return
@@ -106,8 +108,12 @@ def keep_nearer(m: Meeting, place: Float, f: int, x: float, y: float, z: float, 
         return
     nx, ny, nz = normal(place, i, j, k)
     height = nx * (x - at(place, (i, 0))) + ny * (y - at(place, (i, 1))) + nz * (z - at(place, (i, 2)))
-    if square >= best * (1.0 - _ALIKE) and abs(height) <= abs(at(out, (e, 7))):
-        return
+    flat = within or height * height >= square * (1.0 - _FLUSH)
+    if square >= best * (1.0 - _ALIKE):
+        known, own = abs(at(out, (e, 7))), abs(height)
+        above = flat and at(m.face, (e, col + 1)) == 0 and own >= known * (1.0 - _FLUSH)
+        if own <= known * (1.0 + _FLUSH) and not above:
+            return
     put(out, (e, 0), square)
     put(out, (e, 1), nx)
     put(out, (e, 2), ny)
@@ -117,7 +123,6 @@ def keep_nearer(m: Meeting, place: Float, f: int, x: float, y: float, z: float, 
     put(out, (e, 6), c)
     put(out, (e, 7), height)
     put(m.face, (e, col), f)
-    flat = within or height * height >= square * (1.0 - _FLUSH)
     put(m.face, (e, col + 1), 1 if flat else 0)
 
 

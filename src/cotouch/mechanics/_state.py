@@ -118,7 +118,8 @@ class Workspace(NamedTuple):
     """Scratch arrays of one step; sizes as `workspace` makes them.
 
     Rows of rigid bodies are solved for at once, by `dense`: row i is the `rigid[i]`th of these, negative: none of them;
-    and the rth of them is row `among[r]`.
+    and the rth of them is row `among[r]`. `tried` keeps their rates at the last look, and behind all rows the square of
+    what these had changed by, less than 0 before the first.
     """
 
     diagonal: Float
@@ -206,5 +207,5 @@ def workspace(op: Operator, width: int, ports: int, *, closed: bool = False, amo
         dense=_aligned(size, size),
         factor=_aligned(size, size),
         answer=_aligned(size),
-        tried=_aligned(rows if size else 0, width),
+        tried=_aligned(rows + 1 if size else 0, width),
     )

@@ -132,7 +132,7 @@ def surface_of(model: Model) -> Surface:
         hold_row = own.reshape(body.nodes, axes).astype(np.int32)
         row, weight = np.ascontiguousarray(hold_row[nodes]), np.ascontiguousarray(weights, dtype=np.float64)
         hold_rest = _padded(body.rest)
-    turns = (weights < 0.0).any(axis=1) if body.tools else np.full(weights.shape[0], body.rigid)
+    turns = (weights < 0.0).any(axis=1) if body.parts else np.full(weights.shape[0], body.rigid)
     swing = float(np.abs(weights[turns]).sum(axis=1).max(initial=1.0))
     return Surface(
         rest=_padded(rest),
