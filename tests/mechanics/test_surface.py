@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cotouch.body import Body, lattice
+from cotouch.body import Body, Placed, lattice, rigid_box, together
 from cotouch.errors import BodyError
 from cotouch.mechanics import Basis, Surface, model, surface_of
 from cotouch.mechanics._surface import Fit, box_distance, fit_of, place_vertex, refit
@@ -71,3 +71,14 @@ def test_boxes_hold_their_triangles(body: Body, basis: Basis, size: float):
 def test_needs_three_axes():
     with pytest.raises(BodyError, match="2 axes"):
         surface_of(model(lattice((3, 3))))
+
+
+def test_a_skin_of_rigid_parts_among_soft_ones_is_no_faster_than_its_bound() -> None:
+    bar = Placed(body=rigid_box([0.3, 0.02, 0.02], mass=1.0), name="bar")
+    body = together([bar, Placed(body=lattice((3, 3, 3), mass=0.1, stiffness=400.0), name="block", at=(0.0, 0.0, 9.0))])
+    assert body.skin is not None
+    weights = body.skin.interpolation(body.nodes).toarray()
+    worst = int(np.abs(weights).sum(axis=1).argmax())
+    skin = body.skin.carried(np.outer(np.sign(weights[worst]), [1.0, 0.0, 0.0]))  # no node is faster than 1 m/s
+    fastest = float(np.linalg.norm(skin, axis=1).max())
+    assert 1.5 < fastest <= surface_of(model(body)).swing * (1.0 + 1e-12)

@@ -49,7 +49,7 @@ class Surface(NamedTuple):
         soft: what a truncated body lacks in static compliance at a corner of each triangle, and between two of its
             corners, (F, 2), else (0, 2) [m/N].
         swing: how many times as fast as the fastest row a vertex can be; 1 where weights are none below 0.
-        lever: how many times its share of a vertex a row resists: `swing` where weights are below 0, else 1, (V,).
+        lever: how many times its share of a vertex of what is rigid a row resists; else 1, (V,).
         away: where in a copy's memory it is whether the body of each triangle, and of each that a grasp may hold, is
             not in it; negative: it always is, (F + H,), or (0,) without tools that are bodies.
         relief: heights on it.
@@ -132,8 +132,8 @@ def surface_of(model: Model) -> Surface:
         hold_row = own.reshape(body.nodes, axes).astype(np.int32)
         row, weight = np.ascontiguousarray(hold_row[nodes]), np.ascontiguousarray(weights, dtype=np.float64)
         hold_rest = _padded(body.rest)
-    turns = (weights < 0.0).any(axis=1) if body.parts else np.full(weights.shape[0], body.rigid)
-    swing = float(np.abs(weights[turns]).sum(axis=1).max(initial=1.0))
+    turns = (weights < 0.0).any(axis=1) if body.tools else np.full(weights.shape[0], body.rigid)
+    reach = np.abs(weights).sum(axis=1)
     return Surface(
         rest=_padded(rest),
         corner=corner,
@@ -150,8 +150,8 @@ def surface_of(model: Model) -> Surface:
         hold_rest=hold_rest,
         hold_row=hold_row,
         soft=_softness(model, rest, corner) if body.truncation is not None else np.zeros((0, 2)),
-        swing=swing,
-        lever=np.where(turns, swing, 1.0),
+        swing=float(reach.max(initial=1.0)),
+        lever=np.where(turns, reach[turns].max(initial=1.0), 1.0),
         away=tool_marks(model, corner) if body.tools else np.zeros(0, dtype=np.int32),
         relief=bare(),
     )
