@@ -147,7 +147,6 @@ def closed_step(
     square, off, astray = 1.0, _FAR_OFF, False
     start_attempts(force.parts)
     free_groups(force.parts)
-    ask_length(work, lanes)
     work.weighed[FIXED] = 0.0
     while True:
         keep_place(state, work, lanes)
@@ -175,6 +174,8 @@ def closed_step(
         ):
             break
         go_back(force, state, work, lanes)
+        if attempt == 0:
+            ask_length(work, lanes)
         find_outside(op, force.world, force.parts, ports, T, work, lanes)
         still = (not passed and resting(work.weighed)) or resting_parts(force.parts)
         if alone:

@@ -10,6 +10,9 @@ from cotouch.simulation._layout import CLOSED_BOOKS, SLOT_LEDGER, TICK_LEDGER, U
 from cotouch.simulation._peers import PeerRun, run_peers
 from cotouch.simulation._prepare import Prepared
 
+# Books that are sums of all steps so far.
+_SO_FAR = {"supplied", "body_loss", "local_loss", "extra_loss", "closure", "closure_alarms", "world_loss"}
+
 
 def run_prepared(prepared: Prepared) -> Outcome:
     """Runs all users: in one compiled loop, or message by message where senders decide by the motion what they send.
@@ -90,9 +93,11 @@ def _recorded(prepared: Prepared, run: PeerRun) -> Outcome:
 def _ledger(reports: list[StepReport], books: int) -> Float:
     """What a user's steps booked, as `Record.users` has it, (steps, books)."""
     result = np.array([_row(report)[:books] for report in reports]).reshape(-1, books)
-    for summed in (slice(0, 4), slice(7, 8), slice(9, 11)):
-        result[:, summed] = np.cumsum(result[:, summed], axis=0)
-    result[:, 8:9] = np.maximum.accumulate(result[:, 8:9], axis=0)
+    for book, name in enumerate((*USER_LEDGER, *CLOSED_BOOKS, *WORLD_BOOKS)[:books]):
+        if name in _SO_FAR:
+            result[:, book] = np.cumsum(result[:, book])
+        elif name == "closure_factor":
+            result[:, book] = np.maximum.accumulate(result[:, book])
     return result
 
 
