@@ -36,6 +36,8 @@ def main(path: str) -> None:
         if not line:
             break
         asked = json.loads(line)
+        if asked.get("forget"):
+            received.clear()
         if "to" in asked:
             plane.send("say", asked["say"].encode(), to=bytes.fromhex(asked["to"]))
         now = time.monotonic()
