@@ -1,6 +1,7 @@
 """The command as a user runs it, in a process of its own; or in this one, which spares what starting one costs."""
 
 import io
+import signal
 import subprocess
 import sys
 from contextlib import redirect_stderr, redirect_stdout
@@ -27,9 +28,12 @@ def cotouch(*arguments: str | Path) -> Done:
 def here(*arguments: str | Path) -> Done:
     """In this process; what the command raises and does not turn into a sentence is raised."""
     out, err, code = io.StringIO(), io.StringIO(), 0
+    heeds = signal.getsignal(signal.SIGINT)  # a command that was interrupted heeds no other one
     with patch.object(sys, "argv", ["cotouch", *map(str, arguments)]), redirect_stdout(out), redirect_stderr(err):
         try:
             main()
         except SystemExit as ended:
             code = int(ended.code or 0)
+        finally:
+            signal.signal(signal.SIGINT, heeds)
     return Done(arguments, code, out.getvalue(), err.getvalue())
