@@ -5,13 +5,14 @@ import runpy
 from dataclasses import replace
 from math import nan
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from tests.laws.scenes import OTHERS, two
 
-from cotouch.errors import ScenarioError
-from cotouch.laws import WAVE, BoundEnd, End, Law, Parameter, copy, register
+from cotouch.errors import NetworkError, ScenarioError
+from cotouch.laws import PAID, WAVE, BoundEnd, End, Law, OriginForce, Parameter, copy, laws, register
 from cotouch.scenario import Scenario
 from cotouch.simulation import judge, prepare, simulate
 
@@ -188,3 +189,23 @@ def test_wrong_options_are_one_sentence(law: object, message: str) -> None:
     with pytest.raises(ScenarioError, match=message) as caught:
         scenario(law)
     assert "\n" not in str(caught.value)
+
+
+HAND = OriginForce(force="w", integral="P", double="Q", stiffness="k", damping="b", plain="as one")
+
+
+@pytest.mark.parametrize(
+    ("declared", "sentence"),
+    [
+        ({"seed": "sed"}, 'declares the seed "sed", which is not one of its parameters'),
+        ({"energies": ("E",)}, 'declares "E", which is not one of the numbers that it sends'),
+        ({"sums": ("w", "no")}, 'declares the sum "no", which is not one of the fields that it sends'),
+        ({"hand": replace(HAND, force="P")}, 'declares "P" of a hand, which is not a field that is no sum'),
+        ({"hand": replace(HAND, double="w")}, 'declares "w" of a hand, which is not a sum'),
+        ({"hand": replace(HAND, plain="w")}, 'declares "w" of a hand, which is not a number'),
+    ],
+)
+def test_a_law_that_declares_what_it_has_not_is_one_sentence(declared: dict[str, Any], sentence: str) -> None:
+    with pytest.raises(NetworkError, match=f'^law "odd" {sentence}'):
+        register(replace(PAID, name="odd", **declared))
+    assert "odd" not in laws()

@@ -1,16 +1,20 @@
 """The perceptual codec: what one end says is what the other makes of it, and its errors are paid for."""
 
+import re
 from collections.abc import Callable
 from importlib import import_module
 from itertools import pairwise
+from pathlib import Path
 from typing import TypeAlias
 
 import numpy as np
 import pytest
 
 from cotouch.arrays import Float
-from cotouch.laws import ONCE, PAID, SPRING, WAVE, Law
+from cotouch.laws import ONCE, PAID, SPRING, WAVE, Law, law_named
 from cotouch.peer import (
+    FULL,
+    ROUNDED,
     Codec,
     ContentForm,
     CopyMemory,
@@ -29,6 +33,8 @@ T = 0.001
 SHAPE = (2, 1)
 QUANTUM = 1e-3
 ONES = np.ones(2)
+# A push beside an even force, and in which step it comes [Ns].
+JERK, JERKS = 0.01, 103
 
 
 def motion(rng: np.random.Generator, steps: int) -> Float:
@@ -51,9 +57,9 @@ def motion(rng: np.random.Generator, steps: int) -> Float:
     return v
 
 
-def said(encoder: Encoder, v: Float, message: Told | None = None) -> list[tuple[Sample, bytes]]:
+def said(encoder: Encoder, v: Float, message: Told | None = None, start: float = 0.0) -> list[tuple[Sample, bytes]]:
     """Samples of a motion, and what the encoder says of each."""
-    x = np.zeros(SHAPE)
+    x = np.full(SHAPE, start)
     result: list[tuple[Sample, bytes]] = []
     for k, mean in enumerate(v):
         told = (np.zeros((0, 2)), np.zeros(0)) if message is None else message(k, mean)
@@ -73,6 +79,8 @@ def energies(rng: np.random.Generator, law: Law) -> Told:
         if rng.random() < 0.05:
             steady[:] = rng.normal(0, 1.0, steady.shape)
         fields[...] += T * steady
+        if law.hand is not None:  # its integrals follow from it
+            fields[[law.sends.index(name) for name in (law.hand.force, law.hand.integral, law.hand.double)]] = 0.0
         numbers[own] += T * rng.uniform(0.0, 0.02, len(own)) * (rng.random() < 0.9)
         if rng.random() < 0.3:  # just below a step of the quantum, where a quotient is rounded up
             numbers[own] = np.nextafter(np.ceil(numbers[own] / QUANTUM) * QUANTUM, 0.0)
@@ -267,3 +275,84 @@ def test_an_account_gives_out_what_it_earned_and_no_more() -> None:
         cost += T * max(errors[-round(window / T) :]) / age
         assert cost <= earned * (1.0 + 1e-9)
     assert cost > 0.8 * earned
+
+
+def pulls_evenly(force: float, k: float, far: float) -> Told:
+    """What `paid` tells of a spring that always pulls with the same force, far from the origin, and once with a jerk.
+
+    Args:
+        force: of the spring on each row [N].
+        k: its stiffness [N/m].
+        far: how far rows are from the origin at first [m].
+    """
+    place, sums = np.full(2, far), np.zeros((2, 2))
+
+    def message(step: int, mean: Float) -> Message:
+        w = force + k * (place + 0.5 * T * mean.ravel())
+        place[:] += T * mean.ravel()
+        sums[1] += T * sums[0] + 0.5 * T * T * w
+        sums[0] += T * w + (JERK if step == JERKS else 0.0)
+        fields, numbers = np.zeros((len(PAID.sends), 2)), np.zeros(len(PAID.sends_scalars))
+        for name, field in (("w", w), ("P", sums[0]), ("Q", sums[1])):
+            fields[PAID.sends.index(name)] = field
+        numbers[PAID.sends_scalars.index("k")] = k
+        return fields, numbers
+
+    return message
+
+
+def test_a_hands_force_is_judged_by_what_it_is_where_the_copy_is() -> None:
+    """However far the origin is: the force that a neighbour works out stays within the deadband."""
+    codec, w_at, p_at = Codec(deadband=0.1), PAID.sends.index("w"), PAID.sends.index("P")
+    v = np.full((300, 2, 1), 0.05)
+    v[150:] = 0.0
+    counts: list[int] = []
+    for far in (0.0, 10.0):
+        encoder, decoder = (
+            Encoder(ContentForm(codec, PAID), ONES, SHAPE, 1.0),
+            Decoder(ContentForm(codec, PAID), SHAPE, 1),
+        )
+        jerked = False
+        for sample, data in said(encoder, v, pulls_evenly(1.0, 300.0, far), far):
+            heard = decoder.decode(sample.index, sample.stamp, T, data)
+            assert heard is not None
+            assert heard.message is not None
+            assert sample.message is not None
+            off = heard.message[0] - sample.message[0]
+            assert np.linalg.norm(off[w_at]) <= 0.1 * np.sqrt(2.0) + 1e-3
+            assert np.linalg.norm(off[p_at]) <= 0.1 * np.sqrt(2.0) * T * codec.hold
+            jerked = jerked or (sample.index == JERKS and len(data) > 1)
+        assert jerked
+        counts.append(encoder.contents)
+    assert 15 <= counts[0] < 150
+    assert counts[1] == pytest.approx(counts[0], abs=2)
+
+
+def test_a_hand_that_holds_at_the_origin_is_still_a_hand_when_it_is_rounded() -> None:
+    """`paid` takes a force at the origin of exactly 0 for none, so that no rounding may make one."""
+    codec, w_at = Codec(deadband=0.1, quantum=1e-5), PAID.sends.index("w")
+    encoder, decoder = Encoder(ContentForm(codec, PAID), ONES, SHAPE, 1.0), Decoder(ContentForm(codec, PAID), SHAPE, 1)
+    for tiny in (-1e-12, 1e-12):
+        message = np.zeros((len(PAID.sends), 2)), np.zeros(len(PAID.sends_scalars))
+        message[0][w_at, 0] = tiny
+        index = 0 if tiny < 0.0 else 1
+        sample = Sample(sender=1, index=index, stamp=(index + 0.5) * T, position=np.zeros(SHAPE), message=message)
+        (data,) = encoder.encode(sample, np.zeros(SHAPE), T)
+        assert encoder.said in {ROUNDED, 1}
+        heard = decoder.decode(index, sample.stamp, T, data)
+        assert heard is not None
+        assert heard.message is not None
+        force = heard.message[0][w_at]
+        assert 0.0 < abs(force[0]) <= codec.quantum
+        assert force[1] == 0.0
+
+
+def test_the_bytes_that_the_documents_give_are_those_of_contents() -> None:
+    text = (Path(__file__).parents[2] / "docs" / "codec.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `(\w+)` \|.*\| (\d+), (\d+), (\d+)(?: bytes)? \|$", text, re.MULTILINE)
+    assert len({name for name, *_ in rows}) == 8
+    for name, *sizes in rows:
+        law = law_named(name)
+        form = ContentForm(Codec(deadband=0.1, quantum=QUANTUM), law)
+        plain = 3 * (8 * (1 + len(law.sums)) + 4 * len(law.coarse)) + 8 * len(law.sends_scalars)
+        assert [form.size(FULL, 3), form.size(ROUNDED, 3), plain] == [int(size) for size in sizes], name

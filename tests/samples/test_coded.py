@@ -126,10 +126,14 @@ def test_all_fields_of_a_law_get_through(quantum: float) -> None:
     steady[:, :, 3] = 0.0
     energies = [PAID.sends_scalars.index(name) for name in PAID.energies]
     sums = [PAID.sends.index(name) for name in PAID.sums]
+    w, p, q = (PAID.sends.index(name) for name in ("w", "P", "Q"))
+    once = np.zeros((40, 4))
     numbers, full = np.arange(float(len(PAID.sends_scalars))), 0
     for k in range(60):
         fields = fields + T * steady
         fields[list(PAID.coarse)] = steady[list(PAID.coarse)]
+        once += T * steady[w]
+        fields[p], fields[q] = once, fields[q] + T * (once - steady[q]) - 0.5 * T * T * steady[w]
         numbers = numbers.copy()
         numbers[energies] += 1e-4
         message = fields.reshape(len(PAID.sends), -1), numbers

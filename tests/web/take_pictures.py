@@ -22,6 +22,7 @@ SCHEMES = ("light", "dark")
 # As finely drawn as where a graphics card draws, however long it takes here.
 FINE = """() => {
   const { space } = window.cotouch.stage.probe();
+  if (!space) return;
   Object.assign(space.quality, { level: 1, took: () => false });
   space.resize();
 }"""

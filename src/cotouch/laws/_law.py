@@ -41,6 +41,28 @@ Linear: TypeAlias = Callable[[Tone], tuple[complex, complex]]
 
 @final
 @dataclass(frozen=True, kw_only=True)
+class OriginForce:
+    """A hand's force f as it would be at the origin, `w = f + k x̂ + b v̂`, with its integrals; names of what is sent.
+
+    Attributes:
+        force: of the field w; only where nothing acts is it 0 [N].
+        integral: of ∫w, a sum [Ns].
+        double: of ∫∫w, a sum [Ns²].
+        stiffness: of the number k [N/m].
+        damping: of the number b [Ns/m].
+        plain: of the number that is above 0 where w is f itself.
+    """
+
+    force: str
+    integral: str
+    double: str
+    stiffness: str
+    damping: str
+    plain: str
+
+
+@final
+@dataclass(frozen=True, kw_only=True)
 class Facts:
     """What is known of one end of a link before a run.
 
@@ -146,6 +168,8 @@ class Law:
         length: of the numbers in a message, the length of the sender's step, which any sample says; None: none is.
         counts: of the numbers in a message, those that tell one thing from another, so that none is near enough to the
             next; a codec says them exactly.
+        hand: of a message, the force that depends on where the origin is; a codec judges it by what it is where the
+            copy is. None: there is none.
         store: of the numbers that the ends of a copy share, the energy that they hold and what they should hold; None:
             they share none.
     """
@@ -175,6 +199,7 @@ class Law:
     energies: tuple[str, ...] = ()
     length: str | None = None
     counts: tuple[str, ...] = ()
+    hand: OriginForce | None = None
     store: tuple[str, str] | None = None
     _parts: list[Part] = field(default_factory=list[Part], repr=False, compare=False)
 
@@ -202,7 +227,7 @@ class Law:
     @property
     def signature(self) -> str:
         """Tells it from another law of the same name: what messages hold, what parameters it takes."""
-        held = self.sends, self.sends_scalars, self.sums, self.energies, self.length, self.counts
+        held = self.sends, self.sends_scalars, self.sums, self.energies, self.length, self.counts, self.hand
         said = (*held, [known.name for known in self.parameters])
         return f"{self.name} {sha256(repr(said).encode()).hexdigest()[:16]}"
 
@@ -276,8 +301,22 @@ def register(law: Law) -> Law:
         raise NetworkError(f'law "{law.name}" declares "{name}", which is not one of the numbers that it sends')
     for name in set(law.sums) - set(law.sends):
         raise NetworkError(f'law "{law.name}" declares the sum "{name}", which is not one of the fields that it sends')
+    if law.hand is not None:
+        _check_hand(law, law.hand)
     _KNOWN[law.name] = law
     return law
+
+
+def _check_hand(law: Law, hand: OriginForce) -> None:
+    coarse = [law.sends[nth] for nth in law.coarse]
+    for name, among, what in (
+        (hand.force, coarse, "a field that is no sum"),
+        (hand.integral, law.sums, "a sum"),
+        (hand.double, law.sums, "a sum"),
+        *((name, law.sends_scalars, "a number") for name in (hand.stiffness, hand.damping, hand.plain)),
+    ):
+        if name not in among:
+            raise NetworkError(f'law "{law.name}" declares "{name}" of a hand, which is not {what} that it sends')
 
 
 def laws() -> dict[str, Law]:

@@ -18,7 +18,7 @@ from math import inf, sqrt
 
 from cotouch.laws._end import End
 from cotouch.laws._helper import copy, helper
-from cotouch.laws._law import FORCE, Facts, Law, Parameter, register
+from cotouch.laws._law import FORCE, Facts, Law, OriginForce, Parameter, register
 from cotouch.laws._paid_fields import (
     ACCOUNT,
     AGE,
@@ -366,6 +366,7 @@ PAID = register(
         energies=("E_out", "given"),
         length="T",
         counts=("epoch", "hands", "as one"),
+        hand=OriginForce(force="w", integral="P", double="Q", stiffness="k", damping="b", plain="as one"),
         store=("account", "level"),
         feels=True,
         seed="seed",

@@ -13,7 +13,7 @@ from typing import final
 import numpy as np
 
 from cotouch.arrays import Float
-from cotouch.peer._content import FULL, ROUNDED, Content, ContentForm
+from cotouch.peer._content import FULL, ROUNDED, Content, ContentForm, norms
 from cotouch.peer._links import PLAIN, LinkHeader, Sample
 
 
@@ -190,10 +190,10 @@ class Encoder:
         exact: bool,
     ) -> tuple[Content, int]:
         form, codec = self._form, self._codec
-        rates, flow = np.zeros((form.sums.size, self._size)), np.zeros(form.energies.size)
+        rates, flow = np.zeros((form.rated.size, self._size)), np.zeros(form.energies.size)
         if before is not None and sample.stamp > before[0]:
             passed = sample.stamp - before[0]
-            rates = (fields - before[1])[form.sums] / passed
+            rates = (fields - before[1])[form.rated] / passed
             # Less than it was, for what is told of an energy must stay below the truth.
             flow = (1.0 - codec.deadband) * np.maximum((scalars - before[2])[form.energies], 0.0) / passed
         true = Content(index=sample.index, stamp=sample.stamp, fields=fields, rates=rates, scalars=scalars, flow=flow)
@@ -208,10 +208,10 @@ class Encoder:
         if (told[form.energies] > scalars[form.energies]).any():
             return False
         off, slack = continued - fields, self._codec.quantum * np.sqrt(self._size)
-        grown = base.rates * (stamp - base.stamp)
-        if (_norms(off[form.sums]) > deadband * _norms(grown) + slack).any():
+        grown, values = form.scales(base, stamp - base.stamp)
+        if (norms(off[form.sums]) > deadband * grown + slack).any():
             return False
-        if (_norms(off[form.values]) > deadband * _norms(base.fields[form.values]) + slack).any():
+        if (norms(off[form.values]) > deadband * values + slack).any():
             return False
         others = form.others
         if (told[form.counts] != scalars[form.counts]).any():
@@ -304,7 +304,3 @@ class Decoder:
             message=(told[1:].reshape(fields.shape[0] - 1, told[0].size), scalars),
             content=content.index,
         )
-
-
-def _norms(fields: Float) -> Float:
-    return np.sqrt((fields**2).sum(axis=1))

@@ -16,7 +16,7 @@ from typing import final
 import numpy as np
 
 from cotouch.arrays import Array, Float
-from cotouch.laws import Law
+from cotouch.laws import Law, OriginForce
 
 # First byte: a content in full numbers, one in steps of the quantum; between them, since how many steps it goes on.
 FULL, ROUNDED = 0, 255
@@ -53,7 +53,7 @@ class Content:
         index: of the step.
         stamp: of the step [s].
         fields: x̂ and the law's, (1 + fields, size).
-        rates: of the sums among them, (sums, size) [1/s].
+        rates: of the sums among them that have one, (rated, size) [1/s].
         scalars: the law's numbers.
         flow: rates of the energies among those [W].
     """
@@ -88,8 +88,9 @@ class ContentForm:
     Attributes:
         codec: how the sender saves bytes.
         law: of the links.
-        sums: which fields go on at their rate, x̂ first.
-        values: which do not.
+        sums: which fields go on, x̂ first.
+        rated: which of them at a rate that is sent; of a hand's force, ∫∫w follows from ∫w and w.
+        values: which fields stay as they are.
         energies: which numbers are energies.
         others: which are not; the length of a step is not in it, for every sample says its own.
         counts: which of the others must be exact.
@@ -114,6 +115,8 @@ class ContentForm:
         self.others = np.array(others, dtype=np.int64)
         self.counts = np.array([told.index(name) for name in law.counts], dtype=np.int64)
         self._order = np.concatenate([self.sums, self.values])
+        self._hand = None if law.hand is None else _Hand(law.hand, law)
+        self.rated = self.sums if self._hand is None else self.sums[self.sums != self._hand.double]
 
     def size(self, kind: int, elements: int) -> int:
         """Bytes of a content.
@@ -122,10 +125,10 @@ class ContentForm:
             kind: `FULL` or `ROUNDED`.
             elements: of each field.
         """
-        sums, values, energies = self.sums.size, self.values.size, self.energies.size
+        energies, coarse = self.energies.size, self.values.size + self.rated.size
         if kind == FULL:
-            return 1 + elements * (12 * sums + 4 * values) + 8 * self.others.size + 12 * energies
-        return 1 + elements * (8 * sums + 4 * values) + 6 * energies + 8 * self.others.size
+            return 1 + elements * (8 * self.sums.size + 4 * coarse) + 8 * self.others.size + 12 * energies
+        return 1 + elements * 4 * (self.sums.size + coarse) + 6 * energies + 8 * self.others.size
 
     def exact(self, content: Content) -> Content:
         """As it is read, if it is sent in full numbers: sums and numbers are as they were.
@@ -155,6 +158,9 @@ class ContentForm:
         quantum = self.codec.quantum
         steps, paid = content.fields / quantum, content.scalars[self.energies] / quantum
         steps[self.sums], steps[self.values] = np.rint(steps[self.sums]), np.trunc(steps[self.values])
+        if self._hand is not None:
+            acts, force = content.fields[self._hand.force], steps[self._hand.force]
+            force += np.sign(acts) * (force == 0.0)  # only where nothing acts is it 0
         down = np.floor(paid)
         down -= down * quantum > content.scalars[self.energies]  # a product may round to just above the truth
         flow = _towards_zero(content.flow, "<f2")
@@ -212,15 +218,15 @@ class ContentForm:
             return values.astype(np.float64)
 
         fields, scalars = np.empty((self.fields, elements)), np.zeros(self.scalars)
-        sums, values, energies = self.sums.size, self.values.size, self.energies.size
+        sums, values, energies, rated = self.sums.size, self.values.size, self.energies.size, self.rated.size
         if kind == FULL:
             fields[self.sums] = take(sums * elements, "<f8").reshape(sums, elements)
             fields[self.values] = take(values * elements, "<f4").reshape(values, elements)
-            rates = take(sums * elements, "<f4").reshape(sums, elements)
+            rates = take(rated * elements, "<f4").reshape(rated, elements)
             scalars[self.energies] = take(energies, "<f8")
         else:
             fields[self._order] = take(self.fields * elements, "<i4").reshape(self.fields, elements) * quantum
-            rates = take(sums * elements, "<f4").reshape(sums, elements)
+            rates = take(rated * elements, "<f4").reshape(rated, elements)
             scalars[self.energies] = take(energies, "<i4") * quantum
         scalars[self.others] = take(self.others.size, "<f8")
         flow = take(energies, "<f4" if kind == FULL else "<f2")
@@ -238,11 +244,62 @@ class ContentForm:
         """
         passed = stamp - content.stamp
         fields, scalars = content.fields.copy(), content.scalars.copy()
-        fields[self.sums] += passed * content.rates
+        fields[self.rated] += passed * content.rates
+        if self._hand is not None:
+            once, force = content.fields[self._hand.integral], content.fields[self._hand.force]
+            fields[self._hand.double] += passed * once + 0.5 * passed * passed * force
         scalars[self.energies] += passed * content.flow
         if self.length >= 0:
             scalars[self.length] = T
         return fields, scalars
+
+    def scales(self, content: Content, passed: float) -> tuple[Float, Float]:
+        """What an error is compared with: of sums how much they grew, of values how large they are, (sums,), (values,).
+
+        The force of a hand at the origin is as large as the origin is far. So it is compared with what the hand exerts
+        where the copy is, and integrals with those of that.
+
+        Args:
+            content: as it was read.
+            passed: since then [s].
+        """
+        grown, values = np.zeros(self.sums.size), norms(content.fields[self.values])
+        grown[np.isin(self.sums, self.rated)] = norms(content.rates * passed)
+        if self._hand is not None:
+            felt = self._hand.felt(content)
+            values[self.values == self._hand.force] = felt
+            grown[self.sums == self._hand.integral] = passed * felt
+            grown[self.sums == self._hand.double] = 0.5 * passed * passed * felt
+        return grown, values
+
+
+@final
+class _Hand:
+    """Where a law's `OriginForce` is in its message."""
+
+    def __init__(self, hand: OriginForce, law: Law) -> None:
+        self.force, self.integral, self.double = (
+            1 + law.sends.index(name) for name in (hand.force, hand.integral, hand.double)
+        )
+        self._numbers = [law.sends_scalars.index(name) for name in (hand.stiffness, hand.damping, hand.plain)]
+
+    def felt(self, content: Content) -> float:
+        """What the hand exerts where the copy is, all of it [N]."""
+        k, b, plain = content.scalars[self._numbers]
+        force = content.fields[self.force]
+        if not plain > 0.0:
+            acts = force != 0.0
+            force = force - acts * (k * content.fields[0] + b * content.rates[0])
+        return float(norms(force[None])[0])
+
+
+def norms(fields: Float) -> Float:
+    """Of each field the root of its squares' sum, (fields,).
+
+    Args:
+        fields: (fields, size).
+    """
+    return np.sqrt((fields**2).sum(axis=1))
 
 
 def _whole(steps: Float) -> bool:

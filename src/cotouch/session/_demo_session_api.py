@@ -39,14 +39,16 @@ _AT_REST, _QUIET = 0.01, 20.0
 
 
 def file_name(name: str, life: int) -> str:
-    """Of a user's recording: no name leads out of the folder, and what a file system takes amiss is escaped.
+    """Of a user's recording: no name leads out of the folder, and no two names share a file.
+
+    What a file system takes amiss is escaped, and so is what counts lives.
 
     Args:
         name: of the user.
         life: how often its process was started before.
     """
-    shown = re.sub(r'[%/\\:*?"<>|]', lambda letter: quote(letter[0], safe=""), name)
-    return f"{shown}.mcap" if not life else f"{shown} {life + 1}.mcap"
+    shown = re.sub(r'[%#/\\:*?"<>|]', lambda letter: quote(letter[0], safe=""), name)
+    return f"{shown}.mcap" if not life else f"{shown} #{life + 1}.mcap"
 
 
 def cores() -> int:

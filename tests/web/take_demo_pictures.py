@@ -1,0 +1,113 @@
+"""Photographs a running `cotouch demo` for the documents: `python -m tests.web.take_demo_pictures FOLDER`.
+
+A few minutes on a machine with nothing else to do; on a busy one the page says that steps are late.
+"""
+
+import sys
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+from playwright.sync_api import Browser, Page
+from tests.simulation.browser import DRAWN, browser
+from tests.web.parties import Party, party
+from tests.web.pictures import BEFORE, PATIENCE, READY, spot, until
+from tests.web.shell_pages import choose
+from tests.web.take_pictures import FINE, LIVE, taken
+
+DESK = {"viewport": {"width": 1600, "height": 900}}
+PHONE = {"viewport": {"width": 844, "height": 390}, "has_touch": True, "is_mobile": True, "device_scale_factor": 1.5}
+# Each of five users hears the four others.
+COUPLED = """Object.values(store.state.ends).length === 20 &&
+    Object.values(store.state.ends).every((end) => end.state === 'coupled')"""
+# What is looked at has come to where it is held, and plots have a past [ms].
+SETTLED = 6_000
+
+
+def main(folder: Path) -> None:
+    """Takes one picture of each kind.
+
+    Args:
+        folder: an existing one.
+    """
+    with browser(DRAWN) as running:
+        _demo(running, "soft", {"page-light": _light, "page": _dark, "page-side": _side, "page-cut": _cut}, folder)
+        _demo(running, "soft", {"page-phone": _phone}, folder)
+        _demo(running, "point", {"page-rails": _light}, folder)
+
+
+def _demo(running: Browser, body: str, pictures: dict[str, Callable[[Browser, str], Page]], folder: Path) -> None:
+    with tempfile.TemporaryDirectory() as place, party(Path(place)) as made:
+        address = _started(made, body)
+        for name, show in pictures.items():
+            page = show(running, address)
+            page.wait_for_function(LIVE)
+            taken(page, folder / f"{name}.webp")
+            page.mouse.up()
+            page.context.close()
+
+
+def _started(made: Party, body: str) -> str:
+    options = ["--body", body, "--duration", "900", "--page", "--headless", "--port", "0"]
+    made.start("demo", "demo", *options)
+    return made.await_line("demo", r"http://127\.0\.0\.1:\d+/#token=\S+")
+
+
+def _opened(running: Browser, address: str, **settings: object) -> Page:
+    context = running.new_context(**settings)  # pyright: ignore[reportArgumentType]  (settings of Playwright's own)
+    context.set_default_timeout(PATIENCE)
+    context.add_init_script(BEFORE)
+    page = context.new_page()
+    page.goto(address)
+    page.wait_for_function(READY)
+    page.evaluate(FINE)
+    until(page, COUPLED)
+    return page
+
+
+def _held(page: Page) -> Page:
+    """Ann pulls the middle up; Ben and Dan wander."""
+    for slot, mode in enumerate(("free", "wander", "free", "wander", "free")):
+        page.evaluate("([slot, mode]) => window.cotouch.connection.do({ what: 'hand', slot, mode })", [slot, mode])
+    page.wait_for_timeout(SETTLED / 2)
+    x, y, _ = spot(page)
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 60, y - 190, steps=20)
+    page.wait_for_timeout(SETTLED)
+    return page
+
+
+def _light(running: Browser, address: str) -> Page:
+    return _held(_opened(running, address, **DESK, color_scheme="light"))
+
+
+def _dark(running: Browser, address: str) -> Page:
+    return _held(_opened(running, address, **DESK, color_scheme="dark"))
+
+
+def _side(running: Browser, address: str) -> Page:
+    page = _opened(running, address, **DESK, color_scheme="light")
+    page.click("text=Side by side")
+    return _held(page)
+
+
+def _cut(running: Browser, address: str) -> Page:
+    page = _opened(running, address, **DESK, color_scheme="light")
+    for other in (0, 2, 3, 4):
+        choose(page, min(1, other), max(1, other))
+        page.click("#cut")
+    page.keyboard.press("Escape")
+    return _held(page)
+
+
+def _phone(running: Browser, address: str) -> Page:
+    page = _opened(running, address, **PHONE, color_scheme="light")
+    for slot in range(5):
+        page.evaluate("slot => window.cotouch.connection.do({ what: 'hand', slot, mode: 'wander' })", slot)
+    page.wait_for_timeout(SETTLED)
+    return page
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))
