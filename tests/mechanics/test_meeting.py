@@ -244,6 +244,31 @@ def test_what_was_near_in_another_step_makes_no_difference() -> None:
             assert np.array_equal(own, other)
 
 
+@pytest.mark.parametrize("seed", range(2))
+def test_however_bodies_turn_all_that_is_near_is_looked_at(seed: int) -> None:
+    """One that spins by the other's skin, several triangles in a step, meets it as if it looked at all triangles."""
+    rng = np.random.default_rng(seed)
+    runs: list[Several] = []
+    turn, spin = tuple(rng.uniform(-1.0, 1.0, 3)), rng.normal(0.0, 150.0, 3)
+    for all_near in (False, True):
+        pair = Several((die(4), (0.0, 0.0, 0.11), turn), die(4), between=Between(friction=0.3))
+        world = pair.force.world
+        assert world is not None
+        assert world.bodies is not None
+        if all_near:
+            pair.force = pair.force._replace(world=world._replace(bodies=world.bodies._replace(slack=1.0)))
+        own, moving = pair.span(0), pair.velocity
+        moving[own] = np.array([0.0, 0.0, -2.0]) + np.cross(spin, pair.body.rest[own] - [0.0, 0.0, 0.11])
+        pair.state.velocity[:] = pair.rows(moving)
+        closed_settle(pair.model.operator, pair.force, pair.state, pair.work, pair.ledger, pair.model.lanes)
+        for _ in range(15):
+            pair.step(1e-3)
+        runs.append(pair)
+    few, every = runs
+    assert np.abs(few.momentum(1)).max() > 0.1
+    assert few.position == pytest.approx(every.position, abs=1e-9)
+
+
 def closed_while_sliding(pair: Several, steps: int) -> float:
     """Median of what closes a step, of the kinetic energy, after the upper body was pushed."""
     pair.state.velocity[pair.span(1), 0] += 0.3

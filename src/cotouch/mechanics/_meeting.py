@@ -110,7 +110,12 @@ class Meeting(NamedTuple):
         child: the two children of each box; of a leaf, `-1 - first` and how many triangles of `leaf`, (B, 2).
         leaf: triangles, ordered so that those of a leaf follow each other, (F,).
         leaves: first triangle of each body, (bodies + 1,).
+        body: body of each row, (rows,).
+        part_of: one over the number of its body's rows, (rows,).
+        whole: scratch: how far each body moves as a whole, and the square of how far a row does beside that,
+            (bodies, 4).
         lever: how far a vertex may move for each metre of the rows: the largest sum of |shares|.
+        as_one: how far for each metre that all rows of its body move together: the largest |sum of shares|.
         slack: how far rows may move at least before what is near is looked for anew [m].
         within: how deep a body's skin may come into itself, (bodies,); 0: it does not meet itself [m].
         skips: first of each point in `skip`, (P + 1,).
@@ -158,7 +163,11 @@ class Meeting(NamedTuple):
     child: Int
     leaf: Int
     leaves: Int
+    body: Int
+    part_of: Float
+    whole: Float
     lever: float
+    as_one: float
     slack: float
     within: Float
     skips: Int

@@ -194,10 +194,16 @@ def press_bodies(
 
 
 @inner
-def _note(world: World, m: Meeting, count: int, own: int, share: float) -> int:
-    """Adds to the coefficient of a row that is solved for at once with others; returns how many these are."""
+def _note(world: World, m: Meeting, count: int, guess: int, own: int, share: float) -> int:
+    """Adds to the coefficient of a row that is solved for at once with others; returns how many these are.
+
+    Corners of a rigid body's triangle are moved by the same rows in the same order, so it is guessed where each is.
+    """
     row = at(world.rigid, own)
     if row < 0:
+        return count
+    if guess < count and at(m.moved, guess) == row:
+        put(m.coefficient, guess, at(m.coefficient, guess) + share)
         return count
     for n in range(count):
         if at(m.moved, n) == row:
@@ -213,11 +219,13 @@ def _couple(world: World, m: Meeting, e: int, f: int, by: Resists) -> None:
     """What resists that an entry's point passes its triangle, between all rows that move either; see `couple`."""
     p, count = at(m.point, e), 0
     for n in range(at(world.pointer, p), at(world.pointer, p + 1)):
-        count = _note(world, m, count, at(world.row, n), at(world.share, n))
+        count = _note(world, m, count, count, at(world.row, n), at(world.share, n))
+    begun = count
     for q in range(3):
         v = at(m.corner, (f, q))
-        for n in range(at(m.pointer, v), at(m.pointer, v + 1)):
-            count = _note(world, m, count, at(m.row, n), -at(m.ended, (e, 4 + q)) * at(m.share, n))
+        first, part = at(m.pointer, v), -at(m.ended, (e, 4 + q))
+        for n in range(first, at(m.pointer, v + 1)):
+            count = _note(world, m, count, begun + n - first, at(m.row, n), part * at(m.share, n))
     couple_rows(world, m.moved, m.coefficient, 0, count, by)
 
 

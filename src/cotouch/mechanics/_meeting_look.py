@@ -13,6 +13,9 @@ from cotouch.mechanics._world import World
 
 # A step may go so many times as far as it would at the speed where it begins, before what is near is looked for anew.
 _AHEAD = 1.5
+# Where vertices move at most so many times as far as rows, it is not asked how far bodies move as a whole; and what
+# rounding may add to that, as a factor.
+_TELLS, _SURELY = 1.01, 1.0 + 1e-9
 # And is looked for anew for a motion so many times shorter: what is far may be found instead of what is near.
 _GENEROUS = 4.0
 
@@ -168,18 +171,52 @@ def gather(world: World, m: Meeting, memory: Float, x: Float, bound: float) -> N
             put(m.looked, (i, a), at(x, (i, a)))
 
 
+@inner
+def _way(m: Meeting, x: Float, ahead: Float, i: int, about: int) -> float:
+    """How far a row moves, beside the mean of its body's rows; `about` negative: beside nothing [m]."""
+    square = 0.0
+    for a in range(3):
+        goes = at(ahead, (i, a)) - at(x, (i, a))
+        if about >= 0:
+            goes -= at(m.whole, (about, a))
+        square += goes * goes
+    return square
+
+
+@part
+def _farthest(m: Meeting, x: Float, ahead: Float) -> float:
+    """How far rows move that carry vertices as far as those of a motion come at most [m].
+
+    Shares of rows may be greater than 1, of a rigid body's masses above all; but they add up to about 1, so that what
+    all rows of a body do together, its vertices do, and no more.
+    """
+    square = 0.0
+    for i in range(x.shape[0]):
+        square = max(square, _way(m, x, ahead, i, -1))
+    farthest = math.sqrt(square)
+    if m.lever <= _TELLS or farthest == 0.0:
+        return farthest
+    for b in range(m.moves):
+        for a in range(4):
+            put(m.whole, (b, a), 0.0)
+    for i in range(x.shape[0]):
+        b = at(m.body, i)
+        for a in range(3):
+            put(m.whole, (b, a), at(m.whole, (b, a)) + at(m.part_of, i) * (at(ahead, (i, a)) - at(x, (i, a))))
+    for i in range(x.shape[0]):
+        b = at(m.body, i)
+        put(m.whole, (b, 3), max(at(m.whole, (b, 3)), _way(m, x, ahead, i, b)))
+    most = 0.0
+    for b in range(m.moves):
+        mean = at(m.whole, (b, 0)) ** 2 + at(m.whole, (b, 1)) ** 2 + at(m.whole, (b, 2)) ** 2
+        most = max(most, m.as_one * math.sqrt(mean) / m.lever + math.sqrt(at(m.whole, (b, 3))))
+    return min(farthest, most * _SURELY)
+
+
 @part
 def make_ready(world: World, m: Meeting, memory: Float, x: Float, ahead: Float) -> None:
     """Makes sure that what is near is known for a motion, and brings the vertices of who meets to its end."""
-    farthest = 0.0
-    for i in range(x.shape[0]):
-        dx, dy, dz = (
-            at(ahead, (i, 0)) - at(x, (i, 0)),
-            at(ahead, (i, 1)) - at(x, (i, 1)),
-            at(ahead, (i, 2)) - at(x, (i, 2)),
-        )
-        farthest = max(farthest, dx * dx + dy * dy + dz * dz)
-    farthest = math.sqrt(farthest)
+    farthest = _farthest(m, x, ahead)
     put(m.bound, 1, farthest)
     bound = max(_AHEAD * farthest, m.slack)
     if at(m.entries, 0) == 0 or farthest > at(m.bound, 0) or at(m.bound, 0) > _GENEROUS * bound:

@@ -13,6 +13,8 @@ from cotouch.mechanics._vector import at, put
 _ALIKE = 1e-9
 # A foot on a side lies as well as within if the way to it is the height above the plane, but for rounding.
 _FLUSH = 1e-12
+# Square of the sine of two sides' angle up to which rounding may say wrongly whether a point is beyond a side.
+_SLIVER = 1e-10
 # Instead of whether the nearest point lies within its triangle: the body's own skin, seen from behind.
 FAR_SIDE = 2
 # Nearest point of a triangle: square of the distance, shares of the corners, and whether it lies within.
@@ -23,6 +25,11 @@ _Foot = tuple[float, float, float, float, bool]
 def is_hidden(m: Meeting, f: int) -> bool:
     """Whether a triangle of a body that can be cut is not there."""
     return m.hidden.shape[0] > 0 and at(m.hidden, f) != 0
+
+
+@inner
+def _square(x: float, y: float, z: float) -> float:
+    return x * x + y * y + z * z
 
 
 @inner
@@ -37,25 +44,26 @@ def foot(place: Float, i: int, j: int, k: int, x: float, y: float, z: float) -> 
     size = uu * vv - uv * uv
     b, c, within = 0.0, 0.0, False
     b0, c0 = vv * up - uv * vp, uu * vp - uv * up
-    if size > 0.0 and b0 > 0.0 and c0 > 0.0 and b0 + c0 < size:
+    flat = not size > _SLIVER * uu * vv
+    if b0 > 0.0 and c0 > 0.0 and b0 + c0 < size and not flat:
         b, c, within = b0 / size, c0 / size, True
-    else:  # the nearest of three sides
+    else:  # the nearest of the sides that it is beyond; of a sliver, of all three
         best = math.inf
-        for side in range(3):
-            if side == 0:
-                s = min(max(up / uu, 0.0), 1.0) if uu > 0.0 else 0.0
-                sb, sc = s, 0.0
-            elif side == 1:
-                s = min(max(vp / vv, 0.0), 1.0) if vv > 0.0 else 0.0
-                sb, sc = 0.0, s
-            else:
-                ww = uu - 2.0 * uv + vv
-                s = min(max((vp - up - uv + uu) / ww, 0.0), 1.0) if ww > 0.0 else 0.0
-                sb, sc = 1.0 - s, s
-            gx, gy, gz = px - sb * ux - sc * vx, py - sb * uy - sc * vy, pz - sb * uz - sc * vz
-            square = gx * gx + gy * gy + gz * gz
+        if flat or c0 <= 0.0:
+            s = min(max(up / uu, 0.0), 1.0) if uu > 0.0 else 0.0
+            best, b = _square(px - s * ux, py - s * uy, pz - s * uz), s
+        if flat or b0 <= 0.0:
+            s = min(max(vp / vv, 0.0), 1.0) if vv > 0.0 else 0.0
+            square = _square(px - s * vx, py - s * vy, pz - s * vz)
             if square < best:
-                best, b, c = square, sb, sc
+                best, b, c = square, 0.0, s
+        if flat or b0 + c0 >= size:
+            ww = uu - 2.0 * uv + vv
+            s = min(max((vp - up - uv + uu) / ww, 0.0), 1.0) if ww > 0.0 else 0.0
+            r = 1.0 - s
+            square = _square(px - r * ux - s * vx, py - r * uy - s * vy, pz - r * uz - s * vz)
+            if square < best:
+                b, c = r, s
     gx, gy, gz = px - b * ux - c * vx, py - b * uy - c * vy, pz - b * uz - c * vz
     return gx * gx + gy * gy + gz * gz, 1.0 - b - c, b, c, within
 

@@ -127,6 +127,7 @@ def meeting_of(
             body, sp.csr_array(points[:own]), carry, corner[: triangles[moving]], order, part[:own]
         )
         skips[own + 1 :] = skip.size
+    of = part_of_nodes(body) if order is None else np.ascontiguousarray(part_of_nodes(body)[order])
     shares = _shares(
         [one.vertices[one.triangles] for one in (*skins, *still)], np.append(copies_of(body), np.ones(len(still)))
     )
@@ -154,7 +155,11 @@ def meeting_of(
         child=np.concatenate(child).astype(np.int32),
         leaf=np.concatenate(leaf).astype(np.int32),
         leaves=triangles.astype(np.int32),
+        body=of,
+        part_of=1.0 / np.bincount(of)[of],
+        whole=np.zeros((bodies, 4)),
         lever=float(max(abs(carry).sum(axis=1).max(), abs(points).sum(axis=1).max())),
+        as_one=float(max(abs(carry.sum(axis=1)).max(), abs(points.sum(axis=1)).max())),
         slack=_SLACK * min(thickness_of(one.vertices) for one in (*skins, *still)),
         within=within,
         skips=skips,
