@@ -307,7 +307,7 @@ def _whole(steps: Float) -> bool:
 
 
 def _guess(rates: Float) -> Float:
-    """Rates as single precision says them: half of it would be too little for the force of a hand far from the origin."""
+    """Rates as single precision says them: half of it is too little for the force of a hand far from the origin."""
     return np.clip(rates, -_FASTEST, _FASTEST).astype("<f4").astype(np.float64)
 
 
