@@ -10,6 +10,8 @@ from cotouch.mechanics import SHORTENED, Between, closed_settle
 
 # Of the momentum, what closures of less than a millionth of the energy may take.
 SLIGHT = 1e-6
+# Of forty steps, so many may be shortened; which ones, rounding decides.
+FEW = 8
 RADIUS, GAP, SPEED = 0.01, 0.013, 10.0
 
 
@@ -36,7 +38,7 @@ def test_a_ball_thrown_at_a_free_sheet_gives_its_momentum_to_it(mass: float, T: 
 
 @pytest.mark.parametrize("name", [name for name in EVERY if "floating" not in name and name != "rigid"])
 def test_what_flies_and_rings_in_steps_that_are_too_long_flies_on(name: str) -> None:
-    """A step is shortened about the centre: how fast a body flies makes no difference to what happens within it."""
+    """Its steps are closed, or shortened about the centre: how fast it flies makes no difference within it."""
     body = made(name)
     start, speed = bent(body, 0.5), np.array([3.0, -2.0, 1.0])
     copy = Alone(body, start, np.tile(speed, (body.nodes, 1)))
@@ -47,4 +49,4 @@ def test_what_flies_and_rings_in_steps_that_are_too_long_flies_on(name: str) -> 
         shortened += copy.step(0.02)[SHORTENED] > 0.0
         assert (weight * copy.velocity).sum(axis=0) == pytest.approx(speed, abs=1e-5)
         assert (weight * copy.position).sum(axis=0) == pytest.approx(place + 0.02 * (k + 1) * speed, abs=1e-5)
-    assert shortened > 0
+    assert shortened <= FEW
