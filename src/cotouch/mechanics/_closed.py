@@ -41,6 +41,7 @@ from cotouch.mechanics._balance_length import (
 )
 from cotouch.mechanics._balance_parts import close_all, free_parts, keep_parts
 from cotouch.mechanics._direction import begin_looks, direct, level, predict
+from cotouch.mechanics._direction_groups import level_groups
 from cotouch.mechanics._direction_search import FIRST_LOOKS, LOOKS, begin_search, best_again, search
 from cotouch.mechanics._force import BodyForce, evaluate
 from cotouch.mechanics._force_memory import looks_ahead
@@ -254,6 +255,8 @@ def closed_step(
                 # Nothing that goes less far would be any different.
                 refused, attempt = refused or not still, max(attempt, LAST_ATTEMPT - 1)
                 length = length if still else 0.0
+            elif not rest:
+                level_groups(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
         attempt += 1
     weighed = work.weighed
     rounded = abs(weighed[TARGET] - weighed[HAVE]) <= max(weighed[NOISE], weighed[ROUGH])

@@ -9,6 +9,7 @@ from cotouch.mechanics._direction_missing import (
     miss,
     move_whole,
     stiffen,
+    take_port,
 )
 from cotouch.mechanics._force import BodyForce, lean, resist
 from cotouch.mechanics._kernel import inner, part
@@ -158,7 +159,7 @@ def level(
             put(parts.sums, (b, what), 0.0)
     if ports.shape.shape[0] > 0:
         for p in range(ports.row.shape[0]):
-            _take_port(ports, parts, p, at(work.port_gain, p), work)
+            take_port(ports, parts, p, at(work.port_gain, p), work)
     for i in range(op.mass.shape[0]):
         b, own = at(parts.part, i), at(work.diagonal, i)
         for family in range(op.entries.shape[0]):
@@ -171,23 +172,6 @@ def level(
         b = at(parts.part, i)
         for a in range(3 if at(parts.held, b) == 0 else 0):
             put(work.mean, (i, a), at(work.mean, (i, a)) + at(parts.sums, (b, 1 + a)) / at(parts.sums, (b, 0)))
-
-
-@part
-def _take_port(ports: Ports, parts: Parts | None, p: int, gain: float, work: Workspace) -> None:
-    """Takes off a right-hand side what a port that holds many rows resists, and notes how it resists each body."""
-    if parts is None:
-        return
-    for i in range(work.mean.shape[0]):
-        b, own = at(parts.part, i), gain * at(ports.shape, (p, i))
-        if own == 0.0:
-            continue
-        for j in range(work.mean.shape[0]):
-            share = at(ports.shape, (p, j))
-            if at(parts.part, j) == b:
-                put(parts.sums, (b, 0), at(parts.sums, (b, 0)) + own * share)
-            for a in range(3):
-                put(work.rhs, (i, a), at(work.rhs, (i, a)) - own * share * at(work.mean, (j, a)))
 
 
 @inner

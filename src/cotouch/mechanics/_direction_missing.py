@@ -159,3 +159,20 @@ def miss(op: Operator, diagonal: Float, rhs: Float, work: Workspace, out: Float,
         for family in range(op.entries.shape[0]):
             left = left - work.scale[family] * row_product(op, family, i, work.mean, lanes)
         store(out, i, left, lanes)
+
+
+@part
+def take_port(ports: Ports, parts: Parts | None, p: int, gain: float, work: Workspace) -> None:
+    """Takes off a right-hand side what a port that holds many rows resists, and notes how it resists each body."""
+    if parts is None:
+        return
+    for i in range(work.mean.shape[0]):
+        b, own = at(parts.part, i), gain * at(ports.shape, (p, i))
+        if own == 0.0:
+            continue
+        for j in range(work.mean.shape[0]):
+            share = at(ports.shape, (p, j))
+            if at(parts.part, j) == b:
+                put(parts.sums, (b, 0), at(parts.sums, (b, 0)) + own * share)
+            for a in range(3):
+                put(work.rhs, (i, a), at(work.rhs, (i, a)) - own * share * at(work.mean, (j, a)))

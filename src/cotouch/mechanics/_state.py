@@ -125,7 +125,8 @@ class Workspace(NamedTuple):
 
     Rows of rigid bodies are solved for at once, by `dense`: row i is the `rigid[i]`th of these, negative: none of them;
     and the rth of them is row `among[r]`. `tried` keeps their rates at the last look, and behind all rows the square of
-    what these had changed by, less than 0 before the first. `sought` and `search` are of a search for a direction.
+    what these had changed by, less than 0 before the first. `sought` and `search` are of a search for a direction;
+    `asked` keeps the one of which attempts go a part.
     """
 
     diagonal: Float
@@ -152,6 +153,7 @@ class Workspace(NamedTuple):
     factor: Float
     answer: Float
     tried: Float
+    asked: Float
     sought: Float
     search: Float
 
@@ -216,6 +218,7 @@ def workspace(op: Operator, width: int, ports: int, *, closed: bool = False, amo
         factor=_aligned(size, size),
         answer=_aligned(size),
         tried=_aligned(rows + 1 if size else 0, width),
+        asked=_aligned(rows if closed else 0, width),
         sought=_aligned(SOUGHT * solver if closed else 0, width),
         search=_aligned(3),
     )
