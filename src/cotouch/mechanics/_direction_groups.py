@@ -44,7 +44,7 @@ def level_groups(
         return
     sought = False
     for b in range(parts.held.shape[0]):
-        sought = sought or _moves(parts, b)
+        sought = sought or _moves(parts, links, b)
     for number in range(_LOOKS if sought else 0):
         predict(op, force, state, T, True, work, lanes)
         keep_groups(parts)
@@ -62,7 +62,7 @@ def level_groups(
                 _set_share(parts, group, number)
         for i in range(op.mass.shape[0]):
             b = at(parts.part, i)
-            if _moves(parts, b):
+            if _moves(parts, links, b):
                 group = at(parts.met.group, b)
                 for a in range(3):
                     more = at(parts.sums, (group, _SHIFT + a))
@@ -108,6 +108,8 @@ def _set_share(parts: Parts, group: int, number: int) -> None:
 
 
 @inner
-def _moves(parts: Parts, b: int) -> bool:
-    """Whether a body is of a group that is not closed, and that something outside holds."""
-    return at(parts.sums, (b, OPEN)) > 0.0 and at(parts.held, b) == 0 and is_tied(parts, at(parts.met.group, b))
+def _moves(parts: Parts, links: Links, b: int) -> bool:
+    """Whether a body is of a group that is not closed, and that links or something outside hold."""
+    if at(parts.sums, (b, OPEN)) <= 0.0 or at(parts.held, b) != 0:
+        return False
+    return links.slot.shape[0] > 0 or is_tied(parts, at(parts.met.group, b))
