@@ -1,8 +1,8 @@
-"""About which velocity a step is shortened: about rest if something outside holds a body, else about its centre's.
+"""About which velocity a step is shortened: that of the centre, or rest.
 
-What nothing holds has no place of its own: how it moves as a whole must neither shorten its steps nor be changed by it.
-So the way of those that touch only each other is shortened about the velocity of their common centre, and their
-momentum is that of the forces from outside, whatever becomes of the step.
+How bodies that touch move as a whole must neither shorten their steps nor be changed by it. So their way is shortened
+about the velocity of their common centre, and their momentum is that of the forces from outside, whatever becomes of
+the step (`level_groups`). One body alone that something outside holds goes less far about rest.
 """
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false
