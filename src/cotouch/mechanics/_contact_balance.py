@@ -164,7 +164,8 @@ def balanced(
                 gain += at(link_work, link)
             weigh(op, force, state, local_damping, extra_damping, T, gain, work, ledger, lanes)
             weighed = work.weighed
-            weighed[NOISE] += noise / op.copy_scale
+            if weighed[NOISE] >= 0.0:  # else energies overflowed, and so may have what tools did
+                weighed[NOISE] += noise / op.copy_scale
             over, square, passed, others = judge(
                 op,
                 force,
