@@ -8,7 +8,7 @@ from cotouch.body import Placed, together
 from cotouch.mechanics import ELASTIC, KINETIC, SHORTENED
 from cotouch.mechanics._nearest import SWEEPS
 
-# Of forty steps, so many may leave a body where it is; which ones, rounding decides.
+# Of forty steps, so many may be shortened; which ones, rounding decides.
 FEW = 8
 SOFT = [name for name in EVERY if name != "rigid"]
 
@@ -17,14 +17,15 @@ SOFT = [name for name in EVERY if name != "rigid"]
 def test_a_body_that_a_great_force_pulls_within_long_steps_goes_on(name: str) -> None:
     """A hundred times its weight, in steps of five times its slowest period: halves of a step would all do too much."""
     copy = Alone(made(name, ground="x-", hold=50.0, gravity=(0.0, 0.0, -1000.0)))
-    whole, shorter, most = copy.energy, [], 0.0
+    whole, shorter, most, far = copy.energy, [], 0.0, 0.0
     for _ in range(40):
         ledger = copy.step(0.03)
         shorter.append(float(ledger[SHORTENED]))
-        most = max(most, float(np.abs(ledger[[KINETIC, ELASTIC]]).max()))
+        most, far = max(most, float(np.abs(ledger[[KINETIC, ELASTIC]]).max())), max(far, np.abs(copy.position).max())
         assert copy.energy == pytest.approx(whole, abs=1e-12 * max(most, 1e-3))
-    assert sum(part == 1.0 for part in shorter) <= FEW
-    assert np.abs(copy.position).max() > 0.05
+    assert sum(part > 0.0 for part in shorter) <= FEW
+    assert max(shorter) < 1.0
+    assert far > 0.1
 
 
 def test_bodies_that_do_not_touch_are_shortened_each_by_itself() -> None:

@@ -5,7 +5,17 @@ import pytest
 from tests.mechanics.materials import EVERY, SPACING, made, rotation
 from tests.mechanics.pressing import Pressed, plate, slab
 
-from cotouch.mechanics import BETA, CLOSURE_ALARM, ITERATIONS, KINETIC, SHORTENED, TOUCH_LOSS, Stiffening, press
+from cotouch.mechanics import (
+    BETA,
+    CLOSURE_ALARM,
+    GRASP,
+    ITERATIONS,
+    KINETIC,
+    SHORTENED,
+    TOUCH_LOSS,
+    Stiffening,
+    press,
+)
 
 STEPS = 120
 
@@ -82,6 +92,24 @@ def test_what_is_pressed_at_rest_closes() -> None:
     assert abs(copy.tools.place[0, 2] - depth) <= 1e-3 * 0.005
     assert copy.lost - lost <= 1e-3 * copy.energy
     assert copy.residual <= 5e-15 * copy.in_play
+
+
+def test_a_grasp_that_pulls_within_long_steps_makes_no_energy() -> None:
+    """Where looks lead so far that energies overflow, the rounding of these is no reason to call a step closed."""
+    copy = Pressed(made("neo-hookean", viscosity=2e-4, ground="z-", hold=300.0, gravity=(0.0, 0.0, -9.81)))
+    copy.tolerance, tools = 1e-6, copy.tools
+    tools.radius[:], tools.mode[:] = 0.008, GRASP
+    tools.place[0, :3] = start = np.array([0.013, 0.009, 2.0 * SPACING])
+    copy.begin()
+    tools.drive_stiffness[:], tools.drive_damping[:], tools.grip_stiffness[:] = 5e3, 2.0, 5e3
+    end = start
+    for n in range(80):
+        tools.drive_start[:, :3] = end
+        end = start + 0.05 * np.sin(0.08 * np.pi * (n + 1)) * np.array([1.0, 0.6, 0.4])
+        tools.drive_end[:, :3] = end
+        copy.step(0.04)
+    assert copy.residual <= 5e-15 * copy.in_play
+    assert copy.in_play < 100.0
 
 
 @pytest.mark.parametrize(("tremble", "slide"), [(2e-5, 0.0), (0.0, SPACING)])

@@ -152,7 +152,7 @@ def weigh(
     weighed[GRAIN] = grain_of(force.world, outside + was_outside)
     weighed[ROUGH] += weighed[GRAIN] + unsettled(force.world, rubbed + T * abs(total(fallen)))
     if not weighed[NOISE] + weighed[ROUGH] < math.inf:  # no rounding, and nothing closes it
-        weighed[TARGET], weighed[HAVE], weighed[ABOUT], weighed[NOISE], weighed[ROUGH] = -1.0, 1.0, 1.0, 0.0, 0.0
+        weighed[TARGET], weighed[HAVE], weighed[ABOUT], weighed[NOISE], weighed[ROUGH] = -1.0, 1.0, 1.0, -math.inf, 0.0
     ledger[ELASTIC] = op.copy_scale * (op.firmness * energy + 0.5 * total(held) - total(weight) + outside)
     ledger[WORLD_LOSS], ledger[WORLD_STORED] = op.copy_scale * rubbed, op.copy_scale * outside
     tell_world(force.world, op.copy_scale * op.firmness, ledger)

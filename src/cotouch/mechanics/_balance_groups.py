@@ -148,7 +148,8 @@ def decide(parts: Parts | None, weighed: Float, attempt: int, others: bool) -> t
         elif not closed:
             square, whole, lacks, mass, x, y, z = _sum(parts, group, False)
             central, still = LEAST <= square <= MOST, square == -math.inf
-            held = attempt > 0 and (is_tied(parts, group) or abs(whole - 1.0) <= SLIGHT)
+            tied = is_tied(parts, group) and attempt > LAST_ATTEMPT - OTHERS + 2
+            held = attempt > 0 and (tied or abs(whole - 1.0) <= SLIGHT)
             rests = not central and (still or held) and LEAST <= whole <= MOST
             closed = central or rests or (abs(lacks) <= rounded and max(square, whole) >= 0.0)
             closed = closed or attempt >= LAST_ATTEMPT

@@ -1,8 +1,8 @@
-"""About which velocity a step is shortened: about rest if something outside holds a body, else about its centre's.
+"""About which velocity a step is shortened: that of the centre, or rest.
 
-What nothing holds has no place of its own: how it moves as a whole must neither shorten its steps nor be changed by it.
-So the way of those that touch only each other is shortened about the velocity of their common centre, and their
-momentum is that of the forces from outside, whatever becomes of the step.
+How bodies that touch move as a whole must neither shorten their steps nor be changed by it. So their way is shortened
+about the velocity of their common centre, and their momentum is that of the forces from outside, whatever becomes of
+the step (`level_groups`). One body alone that something outside holds goes less far about rest.
 """
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false
@@ -11,7 +11,7 @@ import math
 
 from cotouch.arrays import Float
 from cotouch.mechanics._balance import FIXED
-from cotouch.mechanics._balance_groups import CENTRE, LENGTH, MASS, OPEN, STILL, TIED, WITH, is_tied
+from cotouch.mechanics._balance_groups import CENTRE, LENGTH, MASS, OPEN, STILL, TIED, WITH
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Meeting, Parts
@@ -115,16 +115,11 @@ def free_groups(parts: Parts | None) -> None:
 
 @part
 def keep_groups(parts: Parts | None) -> None:
-    """Who was of a group with another, or is so now, stays so in this step, if nothing outside holds either.
-
-    About rest each goes less far by itself.
-    """
+    """Who was of a group with another, or is so now, stays so in this step."""
     if parts is None:
         return
     for b in range(parts.held.shape[0]):
-        other = int(at(parts.sums, (b, WITH)))
-        if not (is_tied(parts, at(parts.met.group, b)) or is_tied(parts, at(parts.met.group, other))):
-            _join(parts, b, other)
+        _join(parts, b, int(at(parts.sums, (b, WITH))))
     for b in range(parts.held.shape[0]):
         put(parts.sums, (b, WITH), float(at(parts.met.group, b)))
 
@@ -149,9 +144,9 @@ def _note(parts: Parts | None, i: int, work: Workspace) -> None:
 
 @part
 def ask_length(work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Keeps the way that a direction asks for, of which attempts at a step go a part; nothing else is to be solved."""
+    """Keeps the way that a direction asks for, of which attempts at a step go a part."""
     for i in range(work.mean.shape[0]):
-        store(work.rhs, i, load(work.mean, i, lanes), lanes)
+        store(work.asked, i, load(work.mean, i, lanes), lanes)
 
 
 @part
@@ -159,12 +154,12 @@ def ask_fall(op: Operator, force: BodyForce, state: State, T: float, work: Works
     """Asks for the way that weight alone gives: what a direction asks for that went astray says nothing of a centre."""
     for i in range(work.mean.shape[0]):
         gained = (0.5 * T * op.firmness) * load(force.gravity, i, lanes)
-        store(work.rhs, i, load(state.velocity, i, lanes) + gained, lanes)
+        store(work.asked, i, load(state.velocity, i, lanes) + gained, lanes)
 
 
 @part
 def _find_centres(op: Operator, parts: Parts, asked: Float) -> None:
-    """Writes how fast the centre of each body's group is to go, where nothing outside holds it; else 0."""
+    """Writes how fast the centre of each body's group is to go."""
     for b in range(parts.held.shape[0]):
         for a in range(3):
             put(parts.sums, (b, CENTRE + a), 0.0)
@@ -181,7 +176,7 @@ def _find_centres(op: Operator, parts: Parts, asked: Float) -> None:
                     mass += at(parts.sums, (b, MASS))
             for a in range(3):
                 goes += abs(at(parts.sums, (group, CENTRE + a)))
-            free = goes < math.inf and not is_tied(parts, group)
+            free = goes < math.inf
             for a in range(3):
                 put(parts.sums, (group, CENTRE + a), at(parts.sums, (group, CENTRE + a)) / mass if free else 0.0)
 
@@ -213,7 +208,7 @@ def set_length(
     Args:
         op: the bodies.
         parts: which of them is which; None: there is one.
-        work: `rhs` holds the way, `mean` gets it; `find_outside` has told who is held.
+        work: `asked` holds the way, `mean` gets it; `find_outside` has told who is held.
         length: how much of it, of one body; of several 0: none, else what `decide` says.
         rest: about rest, whether anything holds them or not.
         lanes: fixes the width of a row.
@@ -223,7 +218,7 @@ def set_length(
     """
     if parts is None:
         return _set_alone(op, work, length, rest or at(work.weighed, FIXED) != 0.0, lanes)
-    mean, asked, gone = work.mean, work.rhs, False
+    mean, asked, gone = work.mean, work.asked, False
     if not rest:
         _find_centres(op, parts, asked)
     for b in range(parts.held.shape[0]):
@@ -253,7 +248,7 @@ def stop_all(parts: Parts | None, mean: Float, lanes: tuple[int, ...]) -> None:
 @part
 def _set_alone(op: Operator, work: Workspace, length: float, rest: bool, lanes: tuple[int, ...]) -> bool:
     """`set_length` of one body."""
-    mean, asked, gone, about, mass = work.mean, work.rhs, False, splat(0.0, lanes), 0.0
+    mean, asked, gone, about, mass = work.mean, work.asked, False, splat(0.0, lanes), 0.0
     for i in range(0 if rest else mean.shape[0]):
         about, mass = about + at(op.mass, i) * load(asked, i, lanes), mass + at(op.mass, i)
     if mass > 0.0:

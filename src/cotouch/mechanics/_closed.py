@@ -41,6 +41,8 @@ from cotouch.mechanics._balance_length import (
 )
 from cotouch.mechanics._balance_parts import close_all, free_parts, keep_parts
 from cotouch.mechanics._direction import begin_looks, direct, level, predict
+from cotouch.mechanics._direction_groups import level_groups
+from cotouch.mechanics._direction_search import FIRST_LOOKS, LOOKS, begin_search, best_again, search
 from cotouch.mechanics._force import BodyForce, evaluate
 from cotouch.mechanics._force_memory import looks_ahead
 from cotouch.mechanics._force_together import begin
@@ -66,8 +68,6 @@ from cotouch.mechanics._world_force import looks_of, settle_world, take_up
 _MANY = 60
 # What the next look would change, of the motion about the centre of mass, for which it is not taken.
 ENOUGH = 2e-4
-# A β² that is further from 1 says nothing of where to go.
-_FAR_OFF = 4.0
 # A step whose end velocity is changed by more than this is told: its forces and its energy disagree.
 CLOSURE_ALARM = 1e-2
 
@@ -144,7 +144,7 @@ def closed_step(
         before = change
     level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, known, work, lanes)
     attempt, length, least, greatest, refused = 0, 1.0, 0.0, math.inf, False
-    square, off, astray = 1.0, _FAR_OFF, False
+    square, seeks, found = 1.0, -1, False
     start_attempts(force.parts)
     free_groups(force.parts)
     work.weighed[FIXED] = 0.0
@@ -180,12 +180,34 @@ def closed_step(
         still = (not passed and resting(work.weighed)) or resting_parts(force.parts)
         if alone:
             square, _ = square_of(work.weighed, attempt > 0)
-        # Forces where a bold step led may send the next one astray; those where it begins do not, once it is short.
-        worse, off = alone and not astray and not abs(square - 1.0) < off, abs(square - 1.0)
-        if (attempt == 0 or (attempt == 1 and worse)) and not passed and not still:
-            astray = worse
-            for i in range(work.mean.shape[0] if astray else 0):
-                store(work.mean, i, splat(0.0, lanes), lanes)
+        if seeks >= 0 and not passed and not still and not found and seeks < LOOKS:
+            # Where a few looks lead nothing closes; where more do something might.
+            begins = seeks == 0
+            if begins:
+                begin_search(force.parts, work, lanes)
+            looks = FIRST_LOOKS if begins else 1
+            found = search(
+                op,
+                force,
+                state,
+                links,
+                ports,
+                local_damping,
+                extra_damping,
+                T,
+                looks,
+                work,
+                ledger,
+                tolerance,
+                cap,
+                lanes,
+            )
+            seeks += looks
+            start_attempts(force.parts)
+            keep_groups(force.parts)
+            ask_length(work, lanes)
+            continue
+        if attempt == 0 and not passed and not still:
             predict(op, force, state, T, False, work, lanes)
             direct(
                 op,
@@ -206,7 +228,15 @@ def closed_step(
             start_attempts(force.parts)
             keep_groups(force.parts)
             ask_length(work, lanes)
+            seeks = 0 if op.entries.shape[0] > 0 else -1
         else:
+            if seeks >= LOOKS and not (passed or still):
+                best_again(force.parts, work, lanes)
+                level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, False, work, lanes)
+                start_attempts(force.parts)
+                ask_length(work, lanes)
+                seeks = -1
+                continue
             # What cannot be closed, or would still pass an obstacle, stays where it is at last: what nothing outside
             # holds with its centre first, then as it is.
             left = LAST_ATTEMPT - attempt
@@ -225,6 +255,8 @@ def closed_step(
                 # Nothing that goes less far would be any different.
                 refused, attempt = refused or not still, max(attempt, LAST_ATTEMPT - 1)
                 length = length if still else 0.0
+            elif not rest:
+                level_groups(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
         attempt += 1
     weighed = work.weighed
     rounded = abs(weighed[TARGET] - weighed[HAVE]) <= max(weighed[NOISE], weighed[ROUGH])

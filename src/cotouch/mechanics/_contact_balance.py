@@ -37,6 +37,7 @@ from cotouch.mechanics._contact_press import press_tool, rub
 from cotouch.mechanics._contact_snap import draw_tool
 from cotouch.mechanics._contact_sweep import first_crossing
 from cotouch.mechanics._contact_work import ContactWork
+from cotouch.mechanics._direction_groups import level_groups
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._grasp import hold_energy
 from cotouch.mechanics._kernel import part
@@ -163,7 +164,8 @@ def balanced(
                 gain += at(link_work, link)
             weigh(op, force, state, local_damping, extra_damping, T, gain, work, ledger, lanes)
             weighed = work.weighed
-            weighed[NOISE] += noise / op.copy_scale
+            if weighed[NOISE] >= 0.0:  # else energies overflowed, and so may have what tools did
+                weighed[NOISE] += noise / op.copy_scale
             over, square, passed, others = judge(
                 op,
                 force,
@@ -192,7 +194,12 @@ def balanced(
                 left = LAST_ATTEMPT - shorter
                 if left == OTHERS - 1:
                     ask_fall(op, force, state, T, work, lanes)
-                set_length(op, force.parts, work, 0.0 if left <= OTHERS else 1.0, left <= OTHERS - 2, lanes)
+                rest = left <= OTHERS - 2
+                set_length(op, force.parts, work, 0.0 if left <= OTHERS else 1.0, rest, lanes)
+                if not rest:
+                    level_groups(
+                        op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes
+                    )
                 shorter += 1
                 continue
             if not (fine or passed or touches or still) and resting(weighed):  # the body stays, and its tools go on

@@ -4,7 +4,8 @@
 from cotouch.arrays import Float
 from cotouch.mechanics._contact_near import say
 from cotouch.mechanics._contact_work import ContactWork
-from cotouch.mechanics._direction import FEW, lack, miss
+from cotouch.mechanics._direction import FEW
+from cotouch.mechanics._direction_missing import lack, miss
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._operator import Operator, row_product
 from cotouch.mechanics._solve import solve_step

@@ -21,7 +21,8 @@ from cotouch.mechanics._contact_snap import begin_snap, end_snap, owed_drag
 from cotouch.mechanics._contact_solve import lacking, solve_touched
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import Contact, ContactWork
-from cotouch.mechanics._direction import begin_looks, hold_ports, level, predict
+from cotouch.mechanics._direction import begin_looks, level, predict
+from cotouch.mechanics._direction_missing import hold_ports
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import looks_ahead
 from cotouch.mechanics._grasp import feel_grasp, take

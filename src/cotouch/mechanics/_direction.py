@@ -1,10 +1,20 @@
 """Where a closed step goes: looks ahead by the true mean force, each corrected by the constant matrix."""
 
 from cotouch.arrays import Float
+from cotouch.mechanics._direction_missing import (
+    add_momentum,
+    hold_ports,
+    lack,
+    lack_ports,
+    miss,
+    move_whole,
+    stiffen,
+    take_port,
+)
 from cotouch.mechanics._force import BodyForce, lean, resist
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Parts
-from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, mixed, row_product, taken_off
+from cotouch.mechanics._operator import DAMPING, STIFFNESS, Operator
 from cotouch.mechanics._solve import solve_step
 from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
 from cotouch.mechanics._step import assemble
@@ -45,18 +55,64 @@ def direct(
     Returns:
         Squares of the correction, and of v̂ about the centre of mass, in the norm of M; or nothing that says anything.
     """
-    assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
-    lean_world(force.world, op.copy_scale * op.firmness, work.mean, work, lanes)
+    ask(op, force, state, links, ports, local_damping, extra_damping, T, work, lanes)
     if op.entries.shape[0] == 0:
         ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, 0, cap, lanes)
         return 1.0, 0.0
-    lack(op, T, work, lanes)
-    lack_ports(op, ports, work)
-    hold_ports(op, ports, work)
+    return correct(op, force, ports, T, 0.0, work, ledger, tolerance, cap, lanes)
+
+
+@part
+def ask(
+    op: Operator,
+    force: BodyForce,
+    state: State,
+    links: Links,
+    ports: Ports,
+    local_damping: Float,
+    extra_damping: Float,
+    T: float,
+    work: Workspace,
+    lanes: tuple[int, ...],
+) -> None:
+    """Works out what v̂ misses of the forces where it leads, by `predict`, for `correct`.
+
+    Where nothing couples rows, all that is asked for.
+    """
+    assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
+    lean_world(force.world, op.copy_scale * op.firmness, work.mean, work, lanes)
+    if op.entries.shape[0] > 0:
+        lack(op, T, work, lanes)
+        lack_ports(op, ports, work)
+        hold_ports(op, ports, work)
+
+
+@part
+def correct(
+    op: Operator,
+    force: BodyForce,
+    ports: Ports,
+    T: float,
+    stiffer: float,
+    work: Workspace,
+    ledger: Float,
+    tolerance: float,
+    cap: int,
+    lanes: tuple[int, ...],
+) -> tuple[float, float]:
+    """Corrects v̂ by what it misses, with springs and dampers within the body that are stiffer by a share of theirs.
+
+    Returns:
+        See `direct`.
+    """
     for i in range(op.mass.shape[0]):
         store(work.pull, i, load(work.mean, i, lanes), lanes)
     move_whole(op, force.parts, T, work, lanes)
+    if stiffer > 0.0:
+        stiffen(op, T, stiffer, work)
     ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, COARSE), FEW, cap, lanes)
+    if stiffer > 0.0:
+        stiffen(op, T, -stiffer, work)
     if force.parts is None:
         add_momentum(op, T, work, lanes)
     zero = splat(0.0, lanes)
@@ -70,143 +126,6 @@ def direct(
         momentum = momentum + m * rate
         mass += m
     return total(change), total(moving) - total(momentum * momentum) / mass
-
-
-@inner
-def _outer(op: Operator, T: float, i: int, work: Workspace) -> float:
-    """What stands on the diagonal of A without the springs and dampers within the body, whose force is known."""
-    inside = at(op.damping, i) - at(op.drag, i) + 0.5 * T * (at(op.stiffness, i) - at(op.ground, i))
-    if op.taken.shape[0] > 0:
-        inside += taken_off(op, T, i)
-    return at(work.diagonal, i) - op.copy_scale * inside
-
-
-@inner
-def _beside(op: Operator, T: float, family: int, work: Workspace) -> float:
-    """And what of a family off the diagonal: of weights that couple nodes."""
-    inside = at(op.mix, (DAMPING, family)) + 0.5 * T * at(op.mix, (STIFFNESS, family))
-    return at(work.scale, family) - op.copy_scale * inside
-
-
-@inner
-def _couples(op: Operator) -> bool:
-    """Whether there are any."""
-    coupled = mixed(op, MASS)
-    for matrix in range(WEIGHTS, op.mix.shape[0]):
-        coupled = coupled or mixed(op, matrix)
-    return coupled
-
-
-@part
-def lack(op: Operator, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Takes off the right-hand side what is done by v̂, but for springs and dampers within the body."""
-    couples = _couples(op)
-    for i in range(op.mass.shape[0]):
-        left = load(work.rhs, i, lanes) - _outer(op, T, i, work) * load(work.mean, i, lanes)
-        for family in range(op.entries.shape[0] if couples else 0):
-            left = left - _beside(op, T, family, work) * row_product(op, family, i, work.mean, lanes)
-        store(work.rhs, i, left, lanes)
-    for p in range(work.dense.shape[0]):
-        i, a, given = at(work.among, p // 3), p % 3, 0.0
-        for q in range(work.dense.shape[1]):
-            given += at(work.dense, (p, q)) * at(work.mean, (at(work.among, q // 3), q % 3))
-        put(work.rhs, (i, a), at(work.rhs, (i, a)) - given)
-
-
-@part
-def lack_ports(op: Operator, ports: Ports, work: Workspace) -> None:
-    """Takes off the right-hand side what ports that hold many rows resist v̂."""
-    if ports.shape.shape[0] > 0:
-        for p in range(ports.row.shape[0]):
-            for a in range(3):
-                goes = 0.0
-                for i in range(op.mass.shape[0]):
-                    goes += at(ports.shape, (p, i)) * at(work.mean, (i, a))
-                goes *= at(work.port_gain, p)
-                for i in range(op.mass.shape[0]):
-                    put(work.rhs, (i, a), at(work.rhs, (i, a)) - at(ports.shape, (p, i)) * goes)
-
-
-@part
-def hold_ports(op: Operator, ports: Ports, work: Workspace) -> None:
-    """Puts on the diagonal how ports resist rows that are solved for one by one beside others that are so at once.
-
-    There each port holds one row.
-    """
-    if ports.shape.shape[0] > 0 and work.dense.shape[0] > 0:
-        for p in range(ports.row.shape[0]):
-            gain = at(work.port_gain, p)
-            for i in range(op.mass.shape[0]):
-                if at(work.rigid, i) < 0:
-                    put(work.diagonal, i, at(work.diagonal, i) + gain * at(ports.shape, (p, i)) ** 2)
-
-
-@inner
-def _row(op: Operator, T: float, i: int, couples: bool, work: Workspace) -> float:
-    """Sum of a row of A: springs and dampers within the body do not feel what moves it as a whole."""
-    own = _outer(op, T, i, work)
-    for family in range(op.entries.shape[0] if couples else 0):
-        for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
-            own += _beside(op, T, family, work) * at(op.entries, (family, e))
-    return own
-
-
-@part
-def move_whole(op: Operator, parts: Parts | None, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Moves each body as a whole, in `pull`, as its momentum asks; the right-hand side gets what is left to solve.
-
-    What is solved for at once is so as a whole.
-    """
-    couples = _couples(op)
-    if parts is None:
-        left, whole = splat(0.0, lanes), 0.0
-        for i in range(op.mass.shape[0]):
-            left = left + load(work.rhs, i, lanes)
-            whole += _row(op, T, i, couples, work)
-        left = (1.0 / whole) * left
-        for i in range(op.mass.shape[0]):
-            store(work.rhs, i, load(work.rhs, i, lanes) - _row(op, T, i, couples, work) * left, lanes)
-            store(work.pull, i, load(work.pull, i, lanes) + left, lanes)
-        return
-    for b in range(parts.held.shape[0]):
-        for what in range(4):
-            put(parts.sums, (b, what), 0.0)
-    for i in range(op.mass.shape[0]):
-        b = at(parts.part, i)
-        if at(work.rigid, i) >= 0:
-            continue
-        put(parts.sums, (b, 0), at(parts.sums, (b, 0)) + _row(op, T, i, couples, work))
-        for a in range(3):
-            put(parts.sums, (b, 1 + a), at(parts.sums, (b, 1 + a)) + at(work.rhs, (i, a)))
-    for i in range(op.mass.shape[0]):
-        b, own = at(parts.part, i), _row(op, T, i, couples, work)
-        for a in range(3 if at(work.rigid, i) < 0 else 0):
-            goes = at(parts.sums, (b, 1 + a)) / at(parts.sums, (b, 0))
-            put(work.rhs, (i, a), at(work.rhs, (i, a)) - own * goes)
-            put(work.pull, (i, a), at(work.pull, (i, a)) + goes)
-
-
-@part
-def add_momentum(op: Operator, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Moves the body as a whole so that `A v̂` has the momentum of the right-hand side, which a solve missed."""
-    left, whole, couples = splat(0.0, lanes), 0.0, _couples(op)
-    for i in range(op.mass.shape[0]):
-        own = _row(op, T, i, couples, work)
-        left = left + (load(work.rhs, i, lanes) - own * load(work.mean, i, lanes))
-        whole += own
-    left = (1.0 / whole) * left
-    for i in range(op.mass.shape[0]):
-        store(work.mean, i, load(work.mean, i, lanes) + left, lanes)
-
-
-@part
-def miss(op: Operator, diagonal: Float, rhs: Float, work: Workspace, out: Float, lanes: tuple[int, ...]) -> None:
-    """What `A v̂` lacks of a right-hand side; `out` may be it."""
-    for i in range(diagonal.shape[0]):
-        left = load(rhs, i, lanes) - diagonal[i] * load(work.mean, i, lanes)
-        for family in range(op.entries.shape[0]):
-            left = left - work.scale[family] * row_product(op, family, i, work.mean, lanes)
-        store(out, i, left, lanes)
 
 
 @part
@@ -240,7 +159,7 @@ def level(
             put(parts.sums, (b, what), 0.0)
     if ports.shape.shape[0] > 0:
         for p in range(ports.row.shape[0]):
-            _take_port(ports, parts, p, at(work.port_gain, p), work)
+            take_port(ports, parts, p, at(work.port_gain, p), work)
     for i in range(op.mass.shape[0]):
         b, own = at(parts.part, i), at(work.diagonal, i)
         for family in range(op.entries.shape[0]):
@@ -253,23 +172,6 @@ def level(
         b = at(parts.part, i)
         for a in range(3 if at(parts.held, b) == 0 else 0):
             put(work.mean, (i, a), at(work.mean, (i, a)) + at(parts.sums, (b, 1 + a)) / at(parts.sums, (b, 0)))
-
-
-@part
-def _take_port(ports: Ports, parts: Parts | None, p: int, gain: float, work: Workspace) -> None:
-    """Takes off a right-hand side what a port that holds many rows resists, and notes how it resists each body."""
-    if parts is None:
-        return
-    for i in range(work.mean.shape[0]):
-        b, own = at(parts.part, i), gain * at(ports.shape, (p, i))
-        if own == 0.0:
-            continue
-        for j in range(work.mean.shape[0]):
-            share = at(ports.shape, (p, j))
-            if at(parts.part, j) == b:
-                put(parts.sums, (b, 0), at(parts.sums, (b, 0)) + own * share)
-            for a in range(3):
-                put(work.rhs, (i, a), at(work.rhs, (i, a)) - own * share * at(work.mean, (j, a)))
 
 
 @inner

@@ -113,13 +113,20 @@ def own_ports(held: Ports, first: int, last: int) -> Ports:
     return Ports._make(array[first:last] for array in held)
 
 
+# Fields that a search for a direction keeps: the best, what it misses, how its rows are weighed, and of as many changes
+# as it remembers these and what came of them.
+CHANGES = 3
+SOUGHT = 3 + 2 * CHANGES
+
+
 @by_address
 class Workspace(NamedTuple):
     """Scratch arrays of one step; sizes as `workspace` makes them.
 
     Rows of rigid bodies are solved for at once, by `dense`: row i is the `rigid[i]`th of these, negative: none of them;
     and the rth of them is row `among[r]`. `tried` keeps their rates at the last look, and behind all rows the square of
-    what these had changed by, less than 0 before the first.
+    what these had changed by, less than 0 before the first. `sought` and `search` are of a search for a direction;
+    `asked` keeps the one of which attempts go a part.
     """
 
     diagonal: Float
@@ -146,6 +153,9 @@ class Workspace(NamedTuple):
     factor: Float
     answer: Float
     tried: Float
+    asked: Float
+    sought: Float
+    search: Float
 
 
 def _aligned(*shape: int) -> Float:
@@ -208,4 +218,7 @@ def workspace(op: Operator, width: int, ports: int, *, closed: bool = False, amo
         factor=_aligned(size, size),
         answer=_aligned(size),
         tried=_aligned(rows + 1 if size else 0, width),
+        asked=_aligned(rows if closed else 0, width),
+        sought=_aligned(SOUGHT * solver if closed else 0, width),
+        search=_aligned(3),
     )
