@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from cotouch.device import DeviceSpec
+from cotouch.device import PRESETS
 from cotouch.haptics import (
     ARM,
     CouplingChoice,
@@ -23,14 +23,12 @@ from cotouch.mechanics import EnergyMessage
 
 @dataclass
 class Felt:
-    """A device whose servo ticks at 1 kHz between the steps of a peer; mailboxes may be late, or not read.
-
-    Attributes:
-        excess: most that the motors' torque and what turns the proxy gave beyond what they may, by true work [J].
-    """
+    """A device whose servo ticks at 1 kHz between the steps of a peer; mailboxes may be late, or not read."""
 
     turn: float = 0.0
     hand: bool = True
+    sweep: float = 0.0
+    own: int = 0  # ticks for each read
     said: CouplingChoice = field(default_factory=CouplingChoice)
     late: int = 0
     loss: float = 0.0
@@ -41,8 +39,8 @@ class Felt:
 
     def __post_init__(self) -> None:
         self.now = 0.0
-        model = simulated_model("cartesian", hand=self.hand, sweep=0.0)
-        spec = SimulatedOnClock(model, _spec(), turn=self.turn, wrist=True, clock=lambda: self.now)
+        model = simulated_model("cartesian", hand=self.hand, sweep=self.sweep)
+        spec = SimulatedOnClock(model, PRESETS["phantom"], turn=self.turn, wrist=True, clock=lambda: self.now)
         self.device, self.spec = spec, spec.spec
         self.device.open()
         self.device.calibrate(allow_motion=False)
@@ -67,6 +65,8 @@ class Felt:
         return self.turning
 
     def read(self) -> ServoReport | None:
+        for _ in range(self.own):
+            self.tick()
         known = [one for one in self.reports[: len(self.reports) - self.late] if one.coupling == self.number]
         return known[-1] if known else None
 
@@ -88,9 +88,3 @@ class Felt:
         self.force, self.torque = np.array(report.force), np.array(report.torque)
         self.reports.append(report)
         return report
-
-
-def _spec() -> DeviceSpec:
-    from cotouch.device import PRESETS
-
-    return PRESETS["phantom"]
