@@ -78,7 +78,9 @@ def test_torque_alone_is_taken_away_as_force_is(board: Board, device: Device6, s
     for take in (device.stop, lambda: device.enable_force(False)):
         began = time.monotonic()
         take()
-        push(device, 5, OFF)
+        reading = push(device, 5, OFF)
+        assert not np.any(reading.torque)
+        assert not any(board.get("torque"))
         stalls.within(began, board.zero_after(began))
         device.enable_force()
         push(device, 20, OFF)

@@ -6,7 +6,8 @@ from tests.hands.felt import Felt
 from tests.hands.led import Led
 from tests.hands.test_device_hand import RIGID, TOOL, angle, peer_of
 
-from cotouch.haptics import Cause, CouplingChoice
+from cotouch.haptics import Cause, CouplingChoice, Twist
+from cotouch.mechanics import END
 from cotouch.members import SessionFile, SharedModel
 
 T = 2e-3
@@ -50,15 +51,17 @@ def test_a_tool_follows_and_what_turns_it_is_the_couplings():
     run.run(0.5)
     twisted = run.hand._holds[0]._twisted
     assert run.work > 1e-5
+    # The motors' work by measured orientations is what they really did; so the observer has it, and the account.
+    turning, did = run.link.core.turning, run.link.device.wrist.work
+    assert did < -1e-3
+    assert turning.seen.work == pytest.approx(did, rel=1e-9)
+    assert turning.end._end.number(END.work) == pytest.approx(did, rel=1e-9)
     assert twisted.work == pytest.approx(run.work, rel=1e-12, abs=1e-15)
     assert run.residual < 1e-12
     run.run(0.5)
     assert not run.link.reports[-1].causes
     assert run.excess <= 1e-12
     assert angle(run.peer) == pytest.approx(3.0, abs=0.02)
-    # The motors' ledger: what turned the handle, measured, is what they did.
-    turning = run.link.core.turning
-    assert turning.seen.work == pytest.approx(run.link.device.wrist.work, abs=1e-6)
 
 
 def test_a_lever_on_an_obstacle_is_felt_as_torque():
@@ -77,6 +80,25 @@ def test_a_lever_on_an_obstacle_is_felt_as_torque():
     turns = np.cross(ways, ports.force[arms, :3]).sum(axis=0)
     assert -turns[1] == pytest.approx(torque[1], rel=0.5)
     assert run.residual < 1e-12
+
+
+def test_it_is_as_stiff_about_every_axis_and_pushed_by_what_it_is_told():
+    hand, peer = peer_of(SESSION, REPLICA, Felt())
+    tool, ports, arms = hand._holds[0].grasped, hand.ports, slice(1, 5)
+    rng = np.random.default_rng(5)
+    for _ in range(20):
+        axis = rng.normal(size=3)
+        axis /= np.linalg.norm(axis)
+        angle, push = rng.uniform(0.0, 1.5), rng.normal(size=3)
+        tool.twist(Twist(0.7, 0.0, tuple(angle * axis), tuple(push)))
+        ways = ports.shape[arms] @ (peer.model.body.rest + peer.state.position[:, :3])
+        pulls = ports.stiffness[arms, None] * (ports.end[arms, :3] - ports.shape[arms] @ peer.state.position[:, :3])
+        torque, pushed = (np.cross(ways, one).sum(axis=0) for one in (pulls, ports.push[arms, :3]))
+        assert torque == pytest.approx(0.7 * np.sin(angle) * axis, abs=1e-12)
+        assert pushed == pytest.approx(push, abs=1e-12)
+        # No more energy than the account takes it for, and no force on the handle.
+        assert 0.5 * (pulls**2).sum() / ports.stiffness[1] <= 0.5 * 0.7 * angle**2 + 1e-15
+        assert pulls.sum(axis=0) == pytest.approx(np.zeros(3), abs=1e-12)
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -101,6 +123,9 @@ def test_turning_is_passive_whatever_mailboxes_and_hands_do(seed: int):
     assert run.residual < 1e-12
     assert not any(report.causes & (Cause.FAULT | Cause.ACTIVE) for report in link.reports)
     assert max(np.linalg.norm(report.torque) for report in link.reports) <= 0.1 * (1 + 1e-12)
+    # About changing axes, too, what is booked is what the motors did, but for what a tick may hide.
+    turning = link.core.turning
+    assert link.device.wrist.work == pytest.approx(turning.seen.work, rel=1e-3, abs=1e-6)
 
 
 def test_a_ball_is_not_turned_and_feels_no_torque():

@@ -129,6 +129,19 @@ def test_a_handle_that_spins_faster_than_a_hand_latches(ticks: Ticks):
     assert not gone(ticks.run(50, orientation=about(0.28)))
 
 
+def test_the_observer_holds_torques_to_what_they_may_give(ticks: Ticks):
+    """A handle that yields to the torque: its work is in the report; more than was given latches."""
+    before = ticks.run(1)
+    after = ticks.run(1, orientation=about(0.005))
+    assert after.work - before.work == pytest.approx(0.08 * 0.005, rel=1e-6)
+    assert not after.causes
+    assert ticks.core.turning is not None
+    ticks.core.turning.seen.work += 2.0  # as if the law had given what nobody brought
+    latched = ticks.run(1, orientation=about(0.005))
+    assert latched.causes & Cause.ACTIVE
+    assert gone(latched)
+
+
 def test_torque_rises_in_ten_milliseconds_and_has_its_own_heat():
     made = Ticks()
     before = np.zeros(3)
