@@ -174,7 +174,12 @@ class Touch:
         self._asked(lambda device: device.enable(True))
 
     def exchange(self, force: Float, torque: Float | None = None) -> DeviceReading:
-        """See `TorqueDevice.exchange`; only a device with motors in its wrist renders the torque."""
+        """See `TorqueDevice.exchange`; only a device with motors in its wrist renders the torque.
+
+        Args:
+            force: on the hand [N].
+            torque: on the hand about the tip [Nm].
+        """
         self._opened()
         torque = np.zeros(3) if torque is None else torque
         if not (np.isfinite(force).all() and np.isfinite(torque).all()):

@@ -159,7 +159,12 @@ class SimulatedOnClock:
         self._on = on
 
     def exchange(self, force: Float, torque: Float | None = None) -> DeviceReading:
-        """Moves on to now under the force and torque of before, measures, and holds the new ones."""
+        """Moves on to now under the force and torque of before, measures, and holds the new ones.
+
+        Args:
+            force: on the hand [N].
+            torque: on the hand about the tip [Nm].
+        """
         device = self._opened()
         now = self._clock()
         ahead = now - self._behind - device.time
