@@ -6,7 +6,7 @@ from tests.hands.felt import Felt
 from tests.hands.led import Led
 from tests.hands.test_device_hand import RIGID, TOOL, angle, peer_of
 
-from cotouch.haptics import Cause, CouplingChoice, Twist
+from cotouch.haptics import ARM, Cause, CouplingChoice, Twist
 from cotouch.mechanics import END
 from cotouch.members import SessionFile, SharedModel
 
@@ -126,6 +126,20 @@ def test_turning_is_passive_whatever_mailboxes_and_hands_do(seed: int):
     # About changing axes, too, what is booked is what the motors did, but for what a tick may hide.
     turning = link.core.turning
     assert link.device.wrist.work == pytest.approx(turning.seen.work, rel=1e-3, abs=1e-6)
+
+
+def test_the_sessions_file_may_say_how_stiff_turning_is():
+    """For devices that render torques; what its holder says goes first, whatever the law of places."""
+    text = RIGID + "[[session.devices]]\nturning_stiffness = 0.3\nturning_damping = 0.004\ncoupling = 'pspm'\n"
+    session = SessionFile.from_toml(text, source="a test")
+    link = Felt(said=CouplingChoice(turning_damping=0.006))
+    peer_of(session, REPLICA, link)  # type: ignore[arg-type]
+    assert link.turning is not None
+    assert (ARM**2 * link.turning.stiffness, ARM**2 * link.turning.damping) == pytest.approx((0.3, 0.006))
+    plain = Led()  # which renders none, and is not concerned
+    peer_of(session, REPLICA, plain)
+    other = CouplingChoice(law="virtual").over(CouplingChoice(law="pspm", stiffness=3.0, turning_stiffness=0.3))
+    assert (other.stiffness, other.turning_stiffness) == (None, 0.3)
 
 
 def test_a_ball_is_not_turned_and_feels_no_torque():

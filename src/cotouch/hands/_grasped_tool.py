@@ -48,6 +48,7 @@ class GraspedTool:
         # The points are alternate corners of a cube, so springs of all four are as stiff about every axis.
         self._square = float((self._ways**2).sum()) / 1.5
         self._from = self._ways
+        self._seen: tuple[Float, Quaternion] | None = None  # where its masses were, and how it was turned there
         ports.stiffness[self._arms] = 0.25 * tool.hand.stiffness
         ports.damping[self._arms] = 0.25 * tool.hand.damping
         self._position: Float | None = None
@@ -98,7 +99,10 @@ class GraspedTool:
 
     def orientation(self) -> Quaternion:
         """From its rest."""
-        return nearest_to(frame_of(self._masses()) @ self._upright)
+        masses = self._masses()
+        if self._seen is None or not np.array_equal(masses, self._seen[0]):  # it takes some 50 µs
+            self._seen = masses, nearest_to(frame_of(masses) @ self._upright)
+        return self._seen[1]
 
     def twist(self, twist: Twist) -> None:
         """Sets what turns it in the coming step.
@@ -110,7 +114,8 @@ class GraspedTool:
         self._from = here = self._where()
         ports.stiffness[arms], ports.damping[arms] = twist.stiffness / square, twist.damping / square
         ports.start[arms, :3] = ports.end[arms, :3] = turned(turn_of(twist.turn), here) - self._ways
-        ports.push[arms, :3] = np.cross(np.array(twist.push), here) / square
+        x, y, z = twist.push
+        ports.push[arms, :3] = here @ np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]]) / square
 
     def twisted(self) -> float:
         """The work of what turned it in the last step [J]."""

@@ -32,6 +32,8 @@ COUPLING: Mapping[str, str] = {
 }
 _PARAMETERS: Final = ("friction", "coulomb", "ages", "weight")
 _USUAL: Final = "pspm"
+# What is meant for any law.
+_ANY_LAW: Final = ("scale", "tool", "turning_stiffness", "turning_damping")
 
 
 @final
@@ -95,7 +97,7 @@ class CouplingChoice:
         Another law takes nothing of the coupling below: its numbers were meant for that one.
         """
         if None not in {self.law, below.law} and self.law != below.law:
-            below = CouplingChoice(scale=below.scale, tool=below.tool)
+            below = replace(_NOTHING, **{name: getattr(below, name) for name in _ANY_LAW})
         said = {field.name: getattr(self, field.name) for field in fields(self)}
         return replace(below, **{name: value for name, value in said.items() if value is not None})
 
@@ -170,6 +172,9 @@ class CouplingChoice:
     def plain(self) -> dict[str, object]:
         """As JSON has it."""
         return asdict(self)
+
+
+_NOTHING: Final = CouplingChoice()
 
 
 def _with_toll(options: EndOptions, spec: DeviceSpec, *, lower: bool) -> EndOptions:
