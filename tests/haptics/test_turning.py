@@ -19,6 +19,7 @@ from cotouch.haptics import (
     Flag,
     Order,
     SafetyLimits,
+    Servo,
     ServoCore,
     ServoReport,
     ServoSettings,
@@ -189,6 +190,72 @@ def test_what_is_said_of_turning_is_checked():
         CouplingChoice(turning_stiffness=1.0).turning(PRESETS["omega"], period=1e-3, torque=0.0)
     with pytest.raises(DeviceError, match="at least 0"):
         CouplingChoice(turning_damping=-1.0)
+
+
+class Handle:
+    """A device that stands still and notes what it is told."""
+
+    spec = SPEC
+
+    def __init__(self) -> None:
+        self.told: list[tuple[np.ndarray, np.ndarray | None]] = []
+        self.stopped = 0
+        self.time = 0.0
+
+    def enable_force(self, on: bool = True) -> None:
+        pass
+
+    def exchange(self, force: np.ndarray, torque: np.ndarray | None = None) -> DeviceReading:
+        self.told.append((force.copy(), None if torque is None else torque.copy()))
+        reading = Ticks().reading
+        return replace(reading, time=self.time, force=force.copy(), torque=torque)
+
+    def stop(self) -> None:
+        self.stopped += 1
+
+    def close(self) -> None:
+        pass
+
+
+@pytest.mark.parametrize("spec", [SPEC, PRESETS["omega"]], ids=["torque", "none"])
+def test_a_servo_hands_torques_on_to_devices_that_render_some(tmp_path, spec):
+    """Another coupling begins without, as does a servo that ends; other devices are given forces alone, as ever."""
+    device = Handle()
+    device.spec = spec
+    there = [True]
+    settings = ServoSettings(device=DeviceChoice("x"), folder=tmp_path)
+    servo = Servo(device, settings, watched=lambda: there[0], clock=lambda: device.time)  # type: ignore[arg-type]
+    orders = OrderWriter(tmp_path)
+
+    def run(count: int, coupling: int) -> bool:
+        for _ in range(count):
+            device.time += 1e-3
+            message = EnergyMessage(given=1.0)
+            order = Order(time=device.time, place=(0.005, 0.0, 0.0), message=message, enable=True, coupling=coupling)
+            order = order._replace(options=EndOptions(), orientation=AWAY, twist=message)
+            orders.write(order._replace(turning=OPTIONS if spec.torque else None))
+            if not servo.cycle():
+                return False
+        return True
+
+    assert run(700, 1)
+    force, torque = device.told[-1]
+    assert force[0] > 2.0
+    if not spec.torque:
+        assert torque is None
+    else:
+        assert torque is not None
+        assert torque[2] == pytest.approx(0.08)
+        assert run(1, 2)
+        assert not any(np.any(one) for one in device.told[-1])
+        assert run(700, 2)
+    there[0] = False
+    assert not run(1, 2)
+    assert device.stopped == 1
+    assert not servo._force.any()
+    assert not servo._torque.any()
+    servo.close()
+    orders.close()
 
 
 def test_mailboxes_carry_how_a_handle_is_turned(tmp_path, ticks: Ticks):
