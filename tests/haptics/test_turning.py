@@ -32,7 +32,7 @@ from cotouch.mechanics import EnergyMessage
 
 SPEC = with_wrist(PRESETS["omega"])
 LIMITS = SafetyLimits.of(SPEC)
-OPTIONS = CouplingChoice().turning(SPEC, period=1e-3, torque=0.1)
+OPTIONS = CouplingChoice(turning_stiffness=1.0).turning(SPEC, period=1e-3, torque=0.1)
 AWAY = (0.0, 0.0, math.sin(0.04), math.cos(0.04))
 
 

@@ -32,6 +32,8 @@ COUPLING: Mapping[str, str] = {
 }
 _PARAMETERS: Final = ("friction", "coulomb", "ages", "weight")
 _USUAL: Final = "pspm"
+# A handle weighs little: with 1 Nm/rad, one that nobody holds swings with positions that are 10 ms old [Nm/rad].
+_TURNING: Final = 0.5
 # What is meant for any law.
 _ANY_LAW: Final = ("scale", "tool", "turning_stiffness", "turning_damping")
 
@@ -53,8 +55,8 @@ class CouplingChoice:
         scale: metres of the body per metre of the device, 0.01 to 100; the device then feels so many times the force,
             so that power is the same at both; "fit": as much as lets its workspace span the body. 1.
         tool: of the user, from 1. The first that no other device of the user has.
-        turning_stiffness: of the coupling of turning, which is PSPM whatever the law; 1.25 Nm/rad, or what the device
-            renders well, or what its encoders leave to a tank, if that is less.
+        turning_stiffness: of the coupling of turning, which is PSPM whatever the law; 0.5 Nm/rad, or what the device
+            renders well if that is less.
         turning_damping: 0.005 Nms/rad, or what the device renders well if that is less.
     """
 
@@ -159,15 +161,20 @@ class CouplingChoice:
                 f"the coupling's turning_stiffness is {stiffness:g} Nm/rad; {spec.name} renders at most "
                 f"{spec.turning_stiffness:g} Nm/rad"
             )
-        square = ARM * ARM
+        square, arc = ARM * ARM, at_arm(spec)
         at_the_arm = CouplingChoice(
-            stiffness=None if stiffness is None else stiffness / square,
+            stiffness=(min(_TURNING, spec.turning_stiffness) if stiffness is None else stiffness) / square,
             damping=None if damping is None else damping / square,
         )
         try:
-            return at_the_arm.options(at_arm(spec), period=period, force=torque / ARM)
+            options = at_the_arm.options(arc, period=period, force=torque / ARM)
         except DeviceError as error:
             raise DeviceError(f"of turning, taken as arcs at {1e3 * ARM:g} mm: {error}") from None
+        # Nobody turns with more than what the motors may render: the tanks need not begin with more.
+        spring, damper = options.stiffness, options.damping
+        toll = encoder_toll(stiffness=spring, damping=damper, window=WINDOW, resolution=arc.resolution)
+        begun = opening_energy(toll=toll, stiffness=spring, cap=options.cap, force=options.most)
+        return options._replace(initial_energy=begun)
 
     def plain(self) -> dict[str, object]:
         """As JSON has it."""
