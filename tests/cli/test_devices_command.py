@@ -49,6 +49,9 @@ def test_check_calibrate_and_monitor(capsys: pytest.CaptureFixture[str], monkeyp
     seen = json.loads(out)
     assert (code, seen["flags"]) == (0, ["calibrated", "held"])
     assert seen["cycles"] > 5
+    assert seen["orientation"] is None
+    _, out, _ = told(capsys, monkeypatch, "monitor", "simulated:cartesian,wrist=true", "--duration", "0.1", "--json")
+    assert json.loads(out)["orientation"] == pytest.approx([0.0, 0.0, 0.0, 1.0])
 
 
 def test_check_says_that_priority_was_refused(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):

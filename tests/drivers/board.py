@@ -16,6 +16,8 @@ _OFFSETS = {
     "system": (132, "i"), "motor": (136, "3d"), "max_force": (160, "d"), "open": (168, "i"), "sets": (172, "i"),
     "said": (176, "64s"), "styles": (248, "i"), "protect": (252, "i"), "gravity": (256, "i"), "asked": (260, "i"),
     "pushes": (264, "i"), "force_button": (268, "i"), "emulated": (272, "i"), "offset": (276, "i"),
+    "torque": (280, "3d"), "twist": (304, "3d"), "max_torque": (328, "d"), "wrist": (336, "i"), "turned": (344, "4d"),
+    "spin": (376, "3d"),
 }  # fmt: skip
 
 
@@ -41,6 +43,8 @@ class Fault(IntEnum):
     RESCALED = 16
     MOVED = 17
     TIME_GUARD = 18
+    STUCK = 19
+    BENT = 20
 
 
 class Board:
@@ -73,13 +77,13 @@ class Board:
     def said(self) -> str:
         return self.get("said").rstrip(b"\0").decode()
 
-    def motors(self) -> list[tuple[float, float, float, float]]:
-        """Every change of the motors' force: time and three forces."""
+    def motors(self) -> list[tuple[float, ...]]:
+        """Every change of what the motors do: time, three forces and three torques."""
         data = self.log.read_bytes()
-        return list(struct.iter_unpack("<4d", data[: len(data) // 32 * 32]))
+        return list(struct.iter_unpack("<7d", data[: len(data) // 56 * 56]))
 
     def zero_after(self, since: float) -> float:
-        """How long after a moment the motors had force for the last time; infinite if they still have [s]."""
+        """How long after a moment the motors had force or torque for the last time; infinite if they still have [s]."""
         log = self.motors()
         acting = [row for row, (_, *force) in enumerate(log) if any(force)]
         if not acting:

@@ -2,14 +2,16 @@
 
 import time
 from collections.abc import Callable
+from typing import cast
 
 import numpy as np
 from tests.drivers.standin import Board, Fault
 
 from cotouch.errors import DeviceError
-from cotouch.haptics import Device, DeviceReading
+from cotouch.haptics import Device, DeviceReading, TorqueDevice
 
 PUSH = np.array([1.0, -0.5, 0.25])
+TWIST = np.array([0.01, 0.02, -0.04])
 STALLS = ("ms for a cycle", "does not tick", "did not answer")
 
 
@@ -33,11 +35,17 @@ def ready(device: Device, cycles: int = 5) -> Device:
     raise AssertionError("this machine stalls all the time")
 
 
-def push(device: Device, cycles: int, force: np.ndarray = PUSH, each: Callable[[DeviceReading], None] | None = None):
-    """Some cycles at about 1 kHz; returns the last reading."""
+def push(
+    device: Device,
+    cycles: int,
+    force: np.ndarray = PUSH,
+    each: Callable[[DeviceReading], None] | None = None,
+    twist: np.ndarray = TWIST,
+):
+    """Some cycles at about 1 kHz, with a torque where a device renders it; returns the last reading."""
     reading = None
     for _ in range(cycles):
-        reading = device.exchange(force)
+        reading = cast("TorqueDevice", device).exchange(force, twist) if device.spec.torque else device.exchange(force)
         if each is not None:
             each(reading)
         time.sleep(5e-4)

@@ -73,7 +73,7 @@ class Cursor:
         if force != self.force:
             self.force = force
             self.board.set("motor", *force)
-            self.log.write(struct.pack("<4d", time.monotonic(), *force))
+            self.log.write(struct.pack("<7d", time.monotonic(), *force, 0.0, 0.0, 0.0))
 
 
 class Client:

@@ -30,11 +30,14 @@ def build(folder: Path) -> Path:
 
 
 @contextmanager
-def firmware(built: Path, folder: Path, *, system: int = 33, initialized: int = 1) -> Generator[Board]:
+def firmware(
+    built: Path, folder: Path, *, system: int = 33, initialized: int = 1, wrist: bool = False
+) -> Generator[Board]:
     """A device that runs by itself, for either of the stub libraries; sets $COTOUCH_STANDIN meanwhile."""
     board = Board(folder)
     board.set("system", system)
     board.set("initialized", initialized)
+    board.set("wrist", int(wrist))
     board.set("offset", 3)  # numbers that the SDK gives devices need not be their order
     before = os.environ.get("COTOUCH_STANDIN")
     os.environ["COTOUCH_STANDIN"] = str(board.path)

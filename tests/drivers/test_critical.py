@@ -158,6 +158,40 @@ def clipped(drivers: Drivers, board: Board, library: str) -> None:
         device.close()
 
 
+def with_wrist(board: Board) -> None:
+    board.set("system", 104)
+    board.set("wrist", 1)
+
+
+def no_torque_on_a_stuck_wrist(drivers: Drivers, board: Board, library: str) -> None:
+    """A torque that follows from an orientation that stands still while the handle turns is taken away."""
+    with_wrist(board)
+    device = ready(drivers.ForceDimension(library=library), 20)
+    try:
+        board.inject(Fault.STUCK)
+        why, end = "", time.monotonic() + 2.0
+        while not why and time.monotonic() < end:
+            try:
+                push(device, 1)
+            except DeviceError as error:
+                why = str(error)
+        assert "repeats one orientation" in why
+    finally:
+        device.close()
+
+
+def clipped_torque(drivers: Drivers, board: Board, library: str) -> None:
+    """No more goes out than the device can, whoever asks."""
+    with_wrist(board)
+    for make in (drivers.Touch, drivers.ForceDimension):
+        device = ready(make(library=library))
+        try:
+            push(device, 10, twist=np.array([0.0, 0.0, 5.0]))
+            assert 0.1 < np.linalg.norm(board.get("torque")) <= 0.2
+        finally:
+            device.close()
+
+
 CHECKS: list[Check] = [
     stop_brakes,
     off_at_opening,
@@ -171,6 +205,8 @@ CHECKS: list[Check] = [
     returned_number,
     expert_calls,
     clipped,
+    no_torque_on_a_stuck_wrist,
+    clipped_torque,
 ]
 PROTECTIONS = "for protection in (FORCE_CLAMPING, FORCE_RAMPING, SOFTWARE_LIMIT):"
 # What is in which module, what it is in the mutant, and what must notice.
@@ -187,11 +223,14 @@ MUTANTS: list[tuple[str, str, str, Check]] = [
     ("_dhd", 'self._asked("dhdSetGravityCompensation", 1)', 'self._asked("dhdSetGravityCompensation", 0)', gravity),
     ("_force_dimension", "Flag.STALE if guarded == TIME_GUARD", "Flag.STALE if False", guarded_is_stale),
     ("_force_dimension", "_ASK_EVERY = 10\n", "_ASK_EVERY = 1000\n", status_is_asked),
-    ("_force_dimension", "force if why is None and at", "force if at", no_force_on_a_frozen_place),
+    ("_force_dimension", "if why is not None or at", "if at", no_force_on_a_frozen_place),
+    ("_force_dimension", "why = why or self._turning_watch", "self._turning_watch", no_torque_on_a_stuck_wrist),
     ("_dhd", "self._index, self._id = index, opened", "self._index, self._id = index, index", returned_number),
     ("_dhd", 'if self._call["dhdEnableExpertMode"]() < 0:', "if False:", expert_calls),
     ("_dhd", 'self._asked("dhdEnableExpertMode", device=False)', "pass", expert_calls),
-    ("_touch", "min(1.0, self._spec.force / size) if size", "1.0 if size", clipped),
+    ("_touch", "min(1.0, most / size) if size", "1.0 if size", clipped),
+    ("_touch", "self._spec.torque if self._wrist else np.inf", "np.inf", clipped_torque),
+    ("_dhd", 'self._asked("dhdSetMaxTorque", torque)', "pass", clipped_torque),
 ]  # fmt: skip
 
 

@@ -1,7 +1,7 @@
 """Peer, servo and guardian around stand-ins; each is killed and stopped, and the stand-in's motors say when force went.
 
-The Inverse Service keeps the last force for ever, the omega has the watchdog of its firmware, and the Touch's library
-nothing at all but being opened anew.
+The Inverse Service keeps the last force for ever, the sigma has the watchdog of its firmware, and OpenHaptics nothing
+at all but being opened anew. The last two render torques as well, which go together with the force.
 """
 
 import contextlib
@@ -10,6 +10,7 @@ import os
 import signal
 import time
 from collections.abc import Callable, Generator
+from contextlib import AbstractContextManager
 from multiprocessing.connection import Connection
 from pathlib import Path
 
@@ -18,11 +19,13 @@ import pytest
 from tests.drivers.standin import Board, Fault, Service
 from tests.stalls import Stalls
 
-from cotouch.haptics import Cause, DeviceChoice, ProxyEnd, ServoLink
+from cotouch.haptics import Cause, CouplingChoice, DeviceChoice, ProxyEnd, ServoLink
 from cotouch.haptics._mailboxes import ReportReader
 from cotouch.mechanics import EnergyMessage
 
 FORK = multiprocessing.get_context("fork")
+# A quarter turn away from where a handle begins.
+TURNED = (0.0, 0.0, 0.5**0.5, 0.5**0.5)
 KINDS = ["haply", "force_dimension", "touch"]
 Setting = tuple[DeviceChoice, Board]
 
@@ -34,11 +37,28 @@ def setting(request: pytest.FixtureRequest) -> Setting:
         service: Service = request.getfixturevalue("service")
         return DeviceChoice("haply", {"url": service.url, "events": service.events}), service.board
     board, built = request.getfixturevalue("board"), request.getfixturevalue("built")
+    # Those that render torques have some in these tests, too.
     return DeviceChoice(request.param, {"library": str(built)}), board
 
 
+@pytest.fixture
+def board(running: Callable[..., AbstractContextManager[Board]]) -> Generator[Board]:
+    """A running sigma.7, or a PHANToM Premium 6DOF for the other library."""
+    with running(system=104, wrist=True) as board:
+        yield board
+        assert board.get("violations") == 0, board.said
+
+
 def pushes(board: Board) -> bool:
-    return bool(np.linalg.norm(board.get("motor")) > 0.2)
+    twists = not board.get("wrist") or np.linalg.norm(board.get("twist")) > 5e-3
+    return bool(np.linalg.norm(board.get("motor")) > 0.2 and twists)
+
+
+def couple(link: ServoLink) -> None:
+    """Lets torques act as well, where the device renders some."""
+    if link.spec.torque:
+        link.couple(CouplingChoice())
+        link.couple_turning(CouplingChoice())
 
 
 class Held:
@@ -47,7 +67,9 @@ class Held:
     def __init__(self, choice: DeviceChoice, board: Board) -> None:
         self.link = ServoLink(choice, real_time=None)
         self.board = board
+        couple(self.link)
         self.end = ProxyEnd(self.link.options)
+        self.given = 1.0
         self.said: list[str] = []
 
     def until(self, done: Callable[[], object], what: str) -> None:
@@ -59,7 +81,10 @@ class Held:
                 if report.causes & Cause.FAST:
                     self.link.rearm()
                 self.end.pull((0.03, 0.0, 0.0), None, (0.0, 0.0, 0.0), report.message, 0.002)
-            self.link.order((0.03, 0.0, 0.0), self.end.message)
+            self.given += 1e-3
+            self.link.order(
+                (0.03, 0.0, 0.0), self.end.message, orientation=TURNED, twist=EnergyMessage(given=self.given)
+            )
             self.said += self.link.warning_log()
             time.sleep(0.002)
 
@@ -114,12 +139,14 @@ def test_a_guardian_that_is_stopped_or_killed_leaves_no_force(held: Held, stalls
 def peer(choice: DeviceChoice, tell: Connection) -> None:
     """Of a process of its own; it says who is around the device, then pulls, with energy that never ends."""
     link = ServoLink(choice, real_time=None)
+    couple(link)
     tell.send((link.servo, link.guardian, link._folder.path))
     given = 1.0
     while True:
         link.read()
         given += 1e-3
-        link.order((0.03, 0.0, 0.0), EnergyMessage(given=given))
+        message = EnergyMessage(given=given)
+        link.order((0.03, 0.0, 0.0), message, orientation=TURNED, twist=message)
         if link.causes & Cause.FAST:
             link.rearm()
         time.sleep(0.002)

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from cotouch.hands._turning import Turner, back, nearest_to, product, turn_of, turned, vector_of
+from cotouch.hands._turning import Turner, nearest_to, turned
+from cotouch.haptics import back, product, turn_of, vector_of
 
 
 def test_quaternions_are_those_of_everybody() -> None:

@@ -16,8 +16,10 @@ StandIn = Callable[[pytest.FixtureRequest], AbstractContextManager[Callable[[], 
 
 
 @contextmanager
-def _simulated(variant: str, _request: pytest.FixtureRequest) -> Generator[Callable[[], Device]]:
-    yield lambda: make_device("simulated", variant=variant)
+def _simulated(
+    variant: str, _request: pytest.FixtureRequest, *, wrist: bool = False
+) -> Generator[Callable[[], Device]]:
+    yield lambda: make_device("simulated", variant=variant, wrist=wrist)
 
 
 @contextmanager
@@ -28,10 +30,10 @@ def _haply(request: pytest.FixtureRequest) -> Generator[Callable[[], Device]]:
 
 @contextmanager
 def _stubbed(
-    name: str, system: int, initialized: int, request: pytest.FixtureRequest
+    name: str, system: int, initialized: int, request: pytest.FixtureRequest, *, wrist: bool = False
 ) -> Generator[Callable[[], Device]]:
     library = str(request.getfixturevalue("built"))
-    with request.getfixturevalue("running")(system=system, initialized=initialized) as mailbox:
+    with request.getfixturevalue("running")(system=system, initialized=initialized, wrist=wrist) as mailbox:
         yield lambda: make_device(name, library=library)
         assert mailbox.get("violations") == 0, mailbox.said
 
@@ -52,14 +54,17 @@ def _recorded(request: pytest.FixtureRequest) -> Generator[Callable[[], Device]]
 # By what pytest calls it; the part before a colon is the driver's name in the registry.
 STAND_INS: dict[str, StandIn] = {
     **{f"simulated:{variant}": partial(_simulated, variant) for variant in ("phantom", "cartesian", "touch")},
+    "simulated:with a wrist": partial(_simulated, "cartesian", wrist=True),
     "haply": _haply,
     "force_dimension:omega": partial(_stubbed, "force_dimension", 33, 0),
     "force_dimension:delta": partial(_stubbed, "force_dimension", 63, 1),
     "force_dimension:sigma": partial(_stubbed, "force_dimension", 104, 1),
+    "force_dimension:sigma with a wrist": partial(_stubbed, "force_dimension", 104, 1, wrist=True),
     "force_dimension:lambda": partial(_stubbed, "force_dimension", 108, 0),
     "force_dimension:falcon": partial(_stubbed, "force_dimension", 60, 1),
     "touch": partial(_stubbed, "touch", 33, 1),
     "touch:to be calibrated": partial(_stubbed, "touch", 33, 2),
+    "touch:with a wrist": partial(_stubbed, "touch", 33, 1, wrist=True),
     "gamepad": _gamepad,
     "recorded": _recorded,
 }

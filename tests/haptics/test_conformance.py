@@ -15,7 +15,7 @@ class Broken:
     """A simulated device with one thing wrong."""
 
     def __init__(self, wrong: str) -> None:
-        self._inner = make_device("simulated", variant="cartesian")
+        self._inner = make_device("simulated", variant="cartesian", wrist="torque" in wrong)
         assert isinstance(self._inner, SimulatedOnClock)
         self._wrong, self._stopped = wrong, 0
         self.spec = self._inner.spec
@@ -31,10 +31,11 @@ class Broken:
     def enable_force(self, on: bool = True) -> None:
         self._inner.enable_force(on)
 
-    def exchange(self, force) -> DeviceReading:
+    def exchange(self, force, torque=None) -> DeviceReading:
         if self._wrong == "crash":
             raise RuntimeError("segment 7\nfailed")
-        was = self._inner.exchange(force)
+        assert isinstance(self._inner, SimulatedOnClock)
+        was = self._inner.exchange(force, torque)
         if self._wrong == "slow":
             time.sleep(0.05)
         changed = {
@@ -46,6 +47,9 @@ class Broken:
             "repeats": {"time": math.floor(was.time)},
             "shape": {"velocity": np.zeros(4)},
             "handle": {"orientation": np.array([0.0, 0.0, 0.0, 2.0])},
+            "torque without a handle": {"orientation": None},
+            "too much torque": {"torque": None if was.torque is None else 2.0 * was.torque},
+            "torque always on": {"torque": torque},
         }.get(self._wrong, {})
         fields = {name: getattr(was, name) for name in DeviceReading.__dataclass_fields__}
         return DeviceReading(**(fields | changed))
@@ -78,6 +82,9 @@ class Broken:
         ("shape", "three numbers each, before calibration"),
         ("handle", "orientation is a unit quaternion, before calibration"),
         ("deaf", "no force after stop"),
+        ("torque without a handle", "it has an orientation, with force"),
+        ("too much torque", "no more torque than commanded"),
+        ("torque always on", "no force after stop"),
         ("stops once", "stop from other threads, repeatedly"),
     ],
 )

@@ -7,11 +7,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.hands.felt import Felt
 from tests.hands.led import Led
 from tests.session.test_demo_session_api import QuietHost
 from tests.session.world import World
 
 from cotouch.errors import SessionError
+from cotouch.hands import DeviceHand
 from cotouch.members import SessionFile, SharedModel
 from cotouch.observers import MailboxFolder, MoveHand, Pointer, mailbox_folder
 from cotouch.recording import audit, read_recording
@@ -177,6 +179,33 @@ def test_a_device_leads_one_and_an_audit_works_out_what_that_did(tmp_path: Path)
         force = found[0].columns["force"].copy()
         force[:, port] *= 1.01
         assert not audit([replace(found[0], columns={**found[0].columns, "force": force}), found[1]]).holds
+
+
+def test_what_turns_a_tool_is_the_couplings_with_a_device_that_renders_torques(tmp_path: Path) -> None:
+    """Recordings hold its work to rounding, and an audit works it out."""
+    world = World(RIGID, folder=tmp_path, tick=2e-3)
+    world.devices |= {"Ann": (turns := Felt(turn=2.0, own=2)), "Ben": Led()}  # type: ignore[dict-item]
+    ann, _ = (world.join(name) for name in ("Ann", "Ben"))
+    world.until(world.all_coupled, 12.0)
+    world.run(0.3)
+    world.check()
+    assert turns.core.turning is not None
+    assert turns.device.wrist is not None
+    assert isinstance(ann.copy._hand, DeviceHand)
+    hold = ann.copy._hand._holds[0]
+    assert hold._twisted is not None
+    for person in world.people:
+        assert person.copy.totals.residual <= 1e-12
+        assert person.session_recorder is not None
+        person.session_recorder.close()
+    found = [read_recording(path) for path in world.recordings]
+    assert audit(found).holds
+    ours = found[0].columns
+    assert hold._twisted.work > 1e-3
+    assert ours["supplied"].sum() == pytest.approx(hold._end.work + hold._twisted.work, rel=1e-12)
+    force = ours["force"].copy()
+    force[:, 1] *= 1.01
+    assert not audit([replace(found[0], columns={**ours, "force": force}), found[1]]).holds
 
 
 @pytest.fixture

@@ -1,5 +1,6 @@
 """`cotouch devices`: what there is, whether it does what it must, and what it measures."""
 
+import math
 import sys
 import time
 from collections.abc import Callable
@@ -12,6 +13,7 @@ from cotouch.cli._session import stop_signals
 from cotouch.errors import DeviceError
 
 if TYPE_CHECKING:
+    from cotouch.arrays import Float
     from cotouch.haptics import Device, DeviceReading, Flag
 
 _REDRAW = 10.0  # times a second
@@ -153,6 +155,7 @@ def monitor(text: str, *, seconds: float | None, as_json: bool) -> None:
                 "slowest": slowest,
                 "position": last.position.tolist(),
                 "velocity": last.velocity.tolist(),
+                "orientation": None if last.orientation is None else last.orientation.tolist(),
                 "buttons": last.buttons,
                 "flags": _flags(last.flags),
             }
@@ -186,7 +189,17 @@ def _watch(
 def _line(reading: "DeviceReading") -> str:
     place = "  ".join(f"{axis} {1e3 * value:+7.2f}" for axis, value in zip("xyz", reading.position, strict=True))
     speed = float(np.linalg.norm(reading.velocity))
-    return f"{place} mm   {speed:.3f} m/s   buttons {reading.buttons:b}   {', '.join(_flags(reading.flags))}"
+    turned = "" if reading.orientation is None else f"   {_turn(reading.orientation)}"
+    return f"{place} mm{turned}   {speed:.3f} m/s   buttons {reading.buttons:b}   {', '.join(_flags(reading.flags))}"
+
+
+def _turn(orientation: "Float") -> str:
+    """How a handle is turned, as a rotation vector in degrees."""
+    from cotouch.haptics import vector_of
+
+    x, y, z, w = orientation.tolist()
+    way = zip("xyz", vector_of((x, y, z, w)), strict=True)
+    return "  ".join(f"{axis} {math.degrees(angle):+6.1f}" for axis, angle in way) + "°"
 
 
 def _flags(flags: "Flag") -> list[str]:

@@ -25,6 +25,11 @@ class DeviceSpec:
         mass: apparent at the tip [kg]; assumed where nobody published it.
         friction: Coulomb, at the tip [N]; likewise.
         source: where the numbers come from.
+        torque: largest torque; 0: it renders none [Nm].
+        continuous_torque: that it can hold for long [Nm].
+        turning_stiffness: largest of turning that is rendered well [Nm/rad].
+        turning_damping: likewise [Nms/rad].
+        turning_resolution: of the handle's orientation [rad].
     """
 
     name: str
@@ -40,6 +45,11 @@ class DeviceSpec:
     mass: float
     friction: float
     source: str
+    torque: float = 0.0
+    continuous_torque: float = 0.0
+    turning_stiffness: float = 0.0
+    turning_damping: float = 0.0
+    turning_resolution: float = 0.0
 
 
 _CHAI3D = "force, workspace, stiffness, damping: CHAI3D; the rest assumed"

@@ -43,6 +43,12 @@ _FUNCTIONS: dict[str, tuple[object, tuple[object, ...]]] = {
     "dhdGetLinearVelocity": (c_int, (*_D3, c_byte)),
     "dhdGetForce": (c_int, (*_D3, c_byte)),
     "dhdSetForce": (c_int, (c_double, c_double, c_double, c_byte)),
+    "dhdHasActiveWrist": (c_bool, (c_byte,)),
+    "dhdGetOrientationFrame": (c_int, (POINTER(c_double), c_byte)),
+    "dhdGetAngularVelocityRad": (c_int, (*_D3, c_byte)),
+    "dhdGetForceAndTorque": (c_int, (*_D3, *_D3, c_byte)),
+    "dhdSetForceAndTorque": (c_int, (*(c_double,) * 6, c_byte)),
+    "dhdSetMaxTorque": (c_int, (c_double, c_byte)),
     "dhdGetButtonMask": (c_uint, (c_byte,)),
     "dhdEmulateButton": (c_int, (c_ubyte, c_byte)),
     "dhdGetStatus": (c_int, (POINTER(c_int * _COUNT), c_byte)),
@@ -76,7 +82,11 @@ def count(path: str | None = None) -> int:
 
 @final
 class Dhd:
-    """One opened device of the SDK. What the SDK calls an error raises `DeviceError` with its own words."""
+    """One opened device of the SDK. What the SDK calls an error raises `DeviceError` with its own words.
+
+    Attributes:
+        wrist: whether it has motors that turn its handle; torques are set together with forces, if only to zero.
+    """
 
     def __init__(self, path: str | None, index: int) -> None:
         """Loads the library and opens a device.
@@ -103,7 +113,11 @@ class Dhd:
         self._index, self._id = index, opened  # what every other call must name, whatever the order of devices is
         self._a, self._b, self._c = c_double(), c_double(), c_double()
         self._three = (byref(self._a), byref(self._b), byref(self._c))
+        self._turning = (c_double(), c_double(), c_double())
+        self._six = (*self._three, *(byref(one) for one in self._turning))
+        self._frame = (c_double * 9)()
         self._code = 0
+        self.wrist = bool(self._call["dhdHasActiveWrist"](self._id))
         self._status = (c_int * _COUNT)()
 
     def system(self) -> int:
@@ -123,17 +137,20 @@ class Dhd:
         """Waits until the user has put the handle into its rest."""
         self._asked("dhdWaitForReset", milliseconds)
 
-    def protect(self, *, force: float, watchdog: int) -> bool:
+    def protect(self, *, force: float, torque: float, watchdog: int) -> bool:
         """Arms what the device itself can do for safety.
 
         Args:
             force: that the SDK may ask of it [N].
+            torque: likewise, of one with a wrist [Nm].
             watchdog: after which it takes forces away by itself, in units of 125 µs, 1 to 255.
 
         Returns:
             Whether it has a watchdog.
         """
         self._asked("dhdSetMaxForce", force)
+        if self.wrist:
+            self._asked("dhdSetMaxTorque", torque)
         self._asked("dhdSetGravityCompensation", 1)
         if self._call["dhdEnableExpertMode"]() < 0:
             return False
@@ -170,15 +187,36 @@ class Dhd:
         """In the vendor's axes [m/s]."""
         return self._vector("dhdGetLinearVelocity")
 
-    def force(self) -> Triple:
-        """That the motors apply, in the vendor's axes [N]."""
-        return self._vector("dhdGetForce")
+    def orientation(self) -> tuple[float, ...]:
+        """Of the handle: a rotation matrix in the vendor's axes, 9 numbers by rows."""
+        if self._call["dhdGetOrientationFrame"](self._frame, self._id) < 0:
+            raise self._error("dhdGetOrientationFrame")
+        return tuple(self._frame)
 
-    def set_force(self, force: Triple) -> int:
-        """Sets a force; returns 0, TIME_GUARD or SATURATED."""
-        code = self._call["dhdSetForce"](*force, self._id)
+    def spin(self) -> Triple:
+        """Angular velocity of the handle in the vendor's axes [rad/s]."""
+        return self._vector("dhdGetAngularVelocityRad")
+
+    def applied(self) -> tuple[Triple, Triple]:
+        """What the motors apply, in the vendor's axes: force [N] and torque [Nm], which is 0 without a wrist."""
+        if not self.wrist:
+            return self._vector("dhdGetForce"), (0.0, 0.0, 0.0)
+        if self._call["dhdGetForceAndTorque"](*self._six, self._id) < 0:
+            raise self._error("dhdGetForceAndTorque")
+        a, b, c = self._turning
+        return (self._a.value, self._b.value, self._c.value), (a.value, b.value, c.value)
+
+    def set_force(self, force: Triple, torque: Triple = (0.0, 0.0, 0.0)) -> int:
+        """Sets force and torque; returns 0, TIME_GUARD or SATURATED.
+
+        Args:
+            force: in the vendor's axes [N].
+            torque: likewise; without a wrist it has no effect [Nm].
+        """
+        name = "dhdSetForceAndTorque" if self.wrist else "dhdSetForce"
+        code = self._call[name](*force, *(torque if self.wrist else ()), self._id)
         if code < 0:
-            raise self._error("dhdSetForce")
+            raise self._error(name)
         return code
 
     def buttons(self) -> int:
@@ -205,9 +243,11 @@ class Dhd:
         return self._status[_CAUSE]
 
     def stop(self) -> None:
-        """Zero force, then brakes; never raises."""
-        self._call["dhdSetForce"](0.0, 0.0, 0.0, self._id)
-        self._call["dhdStop"](self._id)
+        """Zero force and torque, then brakes."""
+        try:
+            self.set_force((0.0, 0.0, 0.0))
+        finally:
+            self._call["dhdStop"](self._id)
 
     def close(self) -> None:
         """Lets go of it; never raises."""

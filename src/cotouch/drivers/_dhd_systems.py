@@ -72,3 +72,22 @@ SPECS: dict[str, DeviceSpec] = {
     ),
 }
 """By family; every one is nominal."""
+
+
+def with_wrist(spec: DeviceSpec, family: str) -> DeviceSpec:
+    """Limits of a device with motors in its wrist: those of CHAI3D but for the damping of a delta.6; the rest assumed.
+
+    Args:
+        spec: of the family.
+        family: of `SPECS`.
+    """
+    return replace(
+        spec,
+        degrees_of_freedom=6,
+        actuated=6,
+        torque=0.2,
+        continuous_torque=0.2,
+        turning_stiffness=1.0,
+        turning_damping=0.07,
+        turning_resolution=7e-4 if family == "delta" else 2.3e-4,
+    )

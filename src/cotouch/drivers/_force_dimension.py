@@ -11,10 +11,11 @@ import numpy as np
 from cotouch.arrays import Float
 from cotouch.device import DeviceSpec
 from cotouch.drivers._dhd import BUTTON, CAUSES, DEADMAN, SATURATED, TIME_GUARD, WATCHDOG, Dhd
-from cotouch.drivers._dhd_systems import SPECS, SYSTEMS, UNKNOWN
+from cotouch.drivers._dhd_systems import SPECS, SYSTEMS, UNKNOWN, with_wrist
+from cotouch.drivers._rotation import quaternion_of
 from cotouch.drivers._watch import SampleWatch
 from cotouch.errors import DeviceError
-from cotouch.haptics import FORCE_DIMENSION, DeviceReading, Flag
+from cotouch.haptics import ARM, FORCE_DIMENSION, DeviceReading, Flag
 
 # For a hand to put the handle into its rest.
 _RESET_MS = 20_000
@@ -35,7 +36,8 @@ class ForceDimension:
     """A device of Force Dimension. `cotouch.haptics.Device` says what its methods do.
 
     The force is set in every cycle, zero as well, because the SDK compensates gravity only then. If the SDK says that
-    the motors cannot do what they were told, the reading is flagged LIMITED.
+    the motors cannot do what they were told, the reading is flagged LIMITED. A device with motors in its wrist renders
+    torques as well, and tells its orientation.
 
     What takes the force away in ordinary use is no fault: readings do not say FORCE_ON meanwhile, and the motors have
     zero. After a pause that was too long for the watchdog they are switched on again from here. Where a hand did it, by
@@ -76,11 +78,11 @@ class ForceDimension:
         self._on = False
         self._off: int | None = None  # why the device took its forces away; None: it did not, as far as is known
         self._middle = np.zeros(3)
-        self._applied = np.zeros(3)
+        self._applied, self._twisted = np.zeros(3), np.zeros(3)
         self._cycle = 0
         self._began = 0.0
         self._slow = False  # the last cycle took too long
-        self._watch = SampleWatch()
+        self._watch, self._turning_watch = SampleWatch(), SampleWatch("orientation")
         self.watchdog = False
         """Whether the opened device has a watchdog."""
 
@@ -93,7 +95,8 @@ class ForceDimension:
         """See `Device.open`."""
         self.close()
         dhd = Dhd(self._library, self._index)
-        self._dhd, self._cycle, self._off, self._slow, self._watch = dhd, 0, None, False, SampleWatch()
+        self._dhd, self._cycle, self._off, self._slow = dhd, 0, None, False
+        self._watch, self._turning_watch = SampleWatch(), SampleWatch("orientation")
         try:
             dhd.enable_force(False)
             family, product, middle, gripper = SYSTEMS.get(dhd.system(), UNKNOWN)
@@ -102,9 +105,11 @@ class ForceDimension:
             self._spec = replace(
                 SPECS[family], name=f"{'Novint' if family == 'falcon' else 'Force Dimension'} {product}"
             )
+            if dhd.wrist:
+                self._spec = with_wrist(self._spec, family)
             if gripper:
                 dhd.emulate_button()
-            self.watchdog = dhd.protect(force=self._spec.force, watchdog=self._ticks)
+            self.watchdog = dhd.protect(force=self._spec.force, torque=self._spec.torque, watchdog=self._ticks)
             if self._threshold is not None:
                 dhd.limit_velocity(self._threshold)
         except BaseException:
@@ -146,20 +151,31 @@ class ForceDimension:
         dhd.set_force((0.0, 0.0, 0.0))
         self._off = None
 
-    def exchange(self, force: Float) -> DeviceReading:
-        """See `Device.exchange`."""
+    def exchange(self, force: Float, torque: Float | None = None) -> DeviceReading:
+        """See `TorqueDevice.exchange`; only a device with motors in its wrist renders the torque.
+
+        Args:
+            force: on the hand [N].
+            torque: on the hand about the tip [Nm].
+        """
         dhd = self._opened()
-        if not np.isfinite(force).all():
+        torque = np.zeros(3) if torque is None else torque
+        if not (np.isfinite(force).all() and np.isfinite(torque).all()):
             raise self._fault(f"{self._spec.name} was told a force that is not finite")
         began, before = time.monotonic(), self._began
         self._began = began
         try:
             place, guarded = dhd.position()
             position, velocity = FORCE_DIMENSION.place(place) - self._middle, FORCE_DIMENSION.place(dhd.velocity())
+            orientation, spin = self._turned(dhd)
             at = time.monotonic()
             why = self._watch.fault(at, position, velocity)
+            if orientation is not None:
+                why = why or self._turning_watch.fault(at, orientation, ARM * spin)
             self._look(dhd, paused=began - before > 0.5 * self._silence)
-            on, code = self._set(dhd, force if why is None and at - began <= _LIMIT else np.zeros(3))
+            if why is not None or at - began > _LIMIT:
+                force = torque = np.zeros(3)
+            on, code = self._set(dhd, force, torque)
             buttons = dhd.buttons()
             calibrated = dhd.initialized()
         except DeviceError as error:
@@ -176,7 +192,14 @@ class ForceDimension:
         flags |= Flag.LATE if took > _LATE else Flag(0)
         flags |= Flag.STALE if guarded == TIME_GUARD else Flag(0)
         return DeviceReading(
-            time=at, position=position, velocity=velocity, force=self._applied.copy(), buttons=buttons, flags=flags
+            time=at,
+            position=position,
+            velocity=velocity,
+            force=self._applied.copy(),
+            buttons=buttons,
+            flags=flags,
+            orientation=orientation,
+            torque=self._twisted.copy() if dhd.wrist else None,
         )
 
     def stop(self) -> None:
@@ -201,18 +224,27 @@ class ForceDimension:
             with contextlib.suppress(Exception):
                 dhd.close()
 
-    def _set(self, dhd: Dhd, force: Float) -> tuple[bool, int]:
-        """Sets a force; whether motors follow, and what the SDK said."""
+    def _turned(self, dhd: Dhd) -> tuple[Float | None, Float]:
+        """Orientation of the handle and its angular velocity [rad/s]; None without motors in the wrist."""
+        if not dhd.wrist:
+            return None, np.zeros(3)
+        return FORCE_DIMENSION.orientation(quaternion_of(dhd.orientation())), FORCE_DIMENSION.direction(dhd.spin())
+
+    def _set(self, dhd: Dhd, force: Float, torque: Float) -> tuple[bool, int]:
+        """Sets force and torque; whether motors follow, and what the SDK said."""
         with self._lock:
             on = self._on and self._off is None
-            x, y, z = FORCE_DIMENSION.back(force if on else np.zeros(3)).tolist()
-            code = dhd.set_force((x, y, z))
+            if not on:
+                force = torque = np.zeros(3)
+            x, y, z = FORCE_DIMENSION.back(force).tolist()
+            a, b, c = FORCE_DIMENSION.back(torque).tolist()
+            code = dhd.set_force((x, y, z), (a, b, c))
             if self._on and self._off == WATCHDOG:
                 self._switch_on(dhd)
         if code == SATURATED:
-            self._applied = FORCE_DIMENSION.direction(dhd.force())
+            self._applied, self._twisted = (FORCE_DIMENSION.direction(one) for one in dhd.applied())
         elif code != TIME_GUARD:
-            self._applied = force.copy() if on else np.zeros(3)
+            self._applied, self._twisted = force.copy(), torque.copy()
         return on, code
 
     def _look(self, dhd: Dhd, *, paused: bool) -> None:

@@ -20,6 +20,8 @@ SDK = Library(
 # hdDefines.h
 POSITION, VELOCITY, TRANSFORM, BUTTONS = 0x2050, 0x2051, 0x2052, 0x2000
 CURRENT_FORCE, MAX_FORCE, CONTINUOUS_FORCE = 0x2700, 0x2603, 0x2604
+# Torques in mNm, of devices with six degrees of freedom that have motors only.
+OUTPUT_DOF, CURRENT_TORQUE, MAX_TORQUE, CONTINUOUS_TORQUE = 0x2554, 0x2701, 0x2622, 0x2623
 USABLE_WORKSPACE, MODEL, CALIBRATION_STYLE = 0x2551, 0x2501, 0x2555
 FORCE_OUTPUT, FORCE_CLAMPING, FORCE_RAMPING, SOFTWARE_LIMIT = 0x4000, 0x4001, 0x4002, 0x4003
 CALIBRATED, NEEDS_UPDATE, NEEDS_HAND = 0x5000, 0x5001, 0x5002
@@ -168,6 +170,17 @@ class Hd:
         """
         self._three[0], self._three[1], self._three[2] = x, y, z
         self._call["hdSetDoublev"](CURRENT_FORCE, self._three)
+
+    def set_torque(self, x: float, y: float, z: float) -> None:
+        """Of this frame about the tip, in the vendor's axes [Nm]; of a device that renders torques.
+
+        Args:
+            x: right.
+            y: up.
+            z: towards the user.
+        """
+        self._three[0], self._three[1], self._three[2] = 1e3 * x, 1e3 * y, 1e3 * z
+        self._call["hdSetDoublev"](CURRENT_TORQUE, self._three)
 
     def enable(self, on: bool) -> None:
         """Motors follow, or not."""

@@ -1,6 +1,5 @@
 """3D Systems Touch through OpenHaptics: the library's own thread ticks, and every tick meets one exchange."""
 
-import math
 import threading
 import time
 from collections.abc import Callable
@@ -17,15 +16,19 @@ from cotouch.drivers._hd import (
     CALLBACK,
     CONTINUE,
     CONTINUOUS_FORCE,
+    CONTINUOUS_TORQUE,
     DONE,
     ENCODER_RESET,
     MAX_FORCE,
+    MAX_TORQUE,
     NEEDS_UPDATE,
+    OUTPUT_DOF,
     POSITION,
     USABLE_WORKSPACE,
     VELOCITY,
     Hd,
 )
+from cotouch.drivers._rotation import quaternion_of
 from cotouch.drivers._watch import SampleWatch
 from cotouch.errors import DeviceError
 from cotouch.haptics import OPENHAPTICS, DeviceReading, Flag
@@ -34,6 +37,17 @@ from cotouch.haptics import OPENHAPTICS, DeviceReading, Flag
 _SILENCE = 0.02
 # An exchange waits this long for a tick, then says LATE [s]; a library that does not tick for longer has failed [s].
 _LATE, _LIMIT = 0.01, 0.05
+# What a PHANToM Premium 6DOF can do about its weakest axis, along the stylus: nominal, by its data sheet but for
+# stiffness and damping, which are those of other devices with motors in their wrist.
+_WRIST = {
+    "degrees_of_freedom": 6,
+    "actuated": 6,
+    "torque": 0.17,
+    "continuous_torque": 0.048,
+    "turning_stiffness": 1.0,
+    "turning_damping": 0.07,
+    "turning_resolution": 1.4e-4,
+}
 # Of what is asked of the ticking thread aside from forces, such as enabling motors [s].
 _JOB = 0.1
 _POLL = 0.05
@@ -79,7 +93,8 @@ class Touch:
         self._on = self._calibrated = False
         self._hushed = False  # a force that nobody renewed was taken away, and no reading has told so yet
         self._by_reset = False  # it is calibrated by a hand that holds it in its reset position
-        self._force = np.zeros(3)
+        self._force, self._torque = np.zeros(3), np.zeros(3)
+        self._wrist = False  # it renders torques
         self._renewed = 0.0  # when a force came last
         self._ticks = 0
         self._ticked = time.monotonic()
@@ -105,11 +120,20 @@ class Touch:
         try:
             most, lasting = hd.numbers(MAX_FORCE, 1)[0], hd.numbers(CONTINUOUS_FORCE, 1)[0]
             least = np.array(hd.numbers(USABLE_WORKSPACE, 6)).reshape(2, 3)
+            self._wrist = hd.integer(OUTPUT_DOF) == 6
+            twists = [1e-3 * hd.numbers(what, 1)[0] for what in (MAX_TORQUE, CONTINUOUS_TORQUE)] if self._wrist else []
             hd.check()
             if most > 0.0 and lasting > 0.0:
                 self._spec = replace(
                     self._spec, name=f"3D Systems {hd.model()}", force=most, continuous_force=min(most, lasting)
                 )
+            if self._wrist:  # the library's numbers are taken where they are less
+                self._spec = replace(self._spec, **_WRIST)
+                torque, lasting = (
+                    min(told, known) if told > 0.0 else known
+                    for told, known in zip(twists, (self._spec.torque, self._spec.continuous_torque), strict=True)
+                )
+                self._spec = replace(self._spec, torque=torque, continuous_torque=min(torque, lasting))
             if np.isfinite(least).all():
                 self._middle = OPENHAPTICS.place(least.mean(axis=0))
             hd.start(self._callback)
@@ -145,22 +169,29 @@ class Touch:
             self.stop()
             return
         with self._met:
-            self._force, self._renewed = np.zeros(3), time.monotonic()
+            self._force, self._torque, self._renewed = np.zeros(3), np.zeros(3), time.monotonic()
             self._on = True
         self._asked(lambda device: device.enable(True))
 
-    def exchange(self, force: Float) -> DeviceReading:
-        """See `Device.exchange`."""
+    def exchange(self, force: Float, torque: Float | None = None) -> DeviceReading:
+        """See `TorqueDevice.exchange`; only a device with motors in its wrist renders the torque.
+
+        Args:
+            force: on the hand [N].
+            torque: on the hand about the tip [Nm].
+        """
         self._opened()
-        if not np.isfinite(force).all():
+        torque = np.zeros(3) if torque is None else torque
+        if not (np.isfinite(force).all() and np.isfinite(torque).all()):
             raise self._fault(f"the {self._spec.name} was told a force that is not finite")
         with self._met:
-            self._force, self._renewed = force.copy(), time.monotonic()
+            self._force, self._torque, self._renewed = force.copy(), torque.copy(), time.monotonic()
             before = self._ticks
             self._met.wait_for(lambda: self._ticks > before or self._ended, _LATE)
             why, late, last = self._why, self._ticks == before, self._reading
             if self._hushed and not late:
-                self._hushed, self._force = False, np.zeros(3)  # until the next exchange, which knows of it
+                # Until the next exchange, which knows of it.
+                self._hushed, self._force, self._torque = False, np.zeros(3), np.zeros(3)
         if why is None and time.monotonic() - self._ticked > _LIMIT:
             why = f"the library of the {self._spec.name} does not tick any more; is its cable loose?"
         if why is not None or last is None:
@@ -205,7 +236,7 @@ class Touch:
         except BaseException as error:  # noqa: BLE001  an exception that left would end the ticking silently
             self._why = str(error) if isinstance(error, DeviceError) else f"the servo failed: {error!r}"
             self._ended = True
-            _without_force(hd)
+            _without_force(hd, twists=self._wrist)
         with self._met:
             self._ticks += 1
             self._ticked = time.monotonic()
@@ -223,14 +254,20 @@ class Touch:
             velocity = OPENHAPTICS.place(hd.vector(VELOCITY))
             orientation = OPENHAPTICS.orientation(_quaternion(hd.transform()))
             buttons = hd.integer(BUTTONS)
-            on, force = self._on, self._force
-            size = float(np.linalg.norm(force))
-            self._hushed |= on and size > 0.0 and now - self._renewed > _SILENCE
+            on, force, torque = self._on, self._force, self._torque
+            pushes = bool(force.any() or torque.any())
+            self._hushed |= on and pushes and now - self._renewed > _SILENCE
             follows = on and not self._hushed
-            fraction = 0.0 if not follows else min(1.0, self._spec.force / size) if size else 1.0
-            commanded = fraction * force
+            fraction, part = (
+                _share(one, most) if follows else 0.0
+                for one, most in ((force, self._spec.force), (torque, self._spec.torque if self._wrist else np.inf))
+            )
+            commanded, twisted = fraction * force, part * torque
             x, y, z = OPENHAPTICS.back(commanded).tolist()
             hd.set_force(x, y, z)
+            if self._wrist:
+                x, y, z = OPENHAPTICS.back(twisted).tolist()
+                hd.set_torque(x, y, z)
             if not on:
                 hd.enable(False)
         finally:
@@ -241,7 +278,7 @@ class Touch:
             raise DeviceError(f"the {self._spec.name} {why}")
         flags = Flag.CALIBRATED if self._calibrated else Flag(0)
         flags |= Flag.FORCE_ON if follows else Flag(0)
-        flags |= Flag.LIMITED if hd.warm or (on and fraction < 1.0) else Flag(0)
+        flags |= Flag.LIMITED if hd.warm or (on and min(fraction, part) < 1.0) else Flag(0)
         self._reading = DeviceReading(
             time=now,
             position=position,
@@ -250,6 +287,7 @@ class Touch:
             buttons=buttons,
             flags=flags,
             orientation=orientation,
+            torque=twisted if self._wrist else None,
         )
 
     def _look(self, hd: Hd) -> None:
@@ -281,9 +319,16 @@ class Touch:
         return DeviceError(why)
 
 
-def _without_force(hd: Hd) -> None:
-    """A frame with zero force, then motors off, whatever the library thinks of it."""
-    for call in (hd.begin, lambda: hd.set_force(0.0, 0.0, 0.0), hd.end, lambda: hd.enable(False)):
+def _share(wanted: Float, most: float) -> float:
+    """As much of it as is within a limit."""
+    size = float(np.linalg.norm(wanted))
+    return min(1.0, most / size) if size else 1.0
+
+
+def _without_force(hd: Hd, *, twists: bool) -> None:
+    """A frame with zero force and torque, then motors off, whatever the library thinks of it."""
+    zero, limp = lambda: hd.set_force(0.0, 0.0, 0.0), lambda: hd.set_torque(0.0, 0.0, 0.0)
+    for call in (hd.begin, zero, *((limp,) if twists else ()), hd.end, lambda: hd.enable(False)):
         try:
             call()
         except Exception:  # noqa: BLE001, S112  the next one may still help
@@ -293,17 +338,4 @@ def _without_force(hd: Hd) -> None:
 def _quaternion(by_columns: list[float]) -> tuple[float, float, float, float]:
     """Rotation of a transform as xyzw, unit."""
     m00, m10, m20, _, m01, m11, m21, _, m02, m12, m22, *_ = by_columns
-    w, x, y, z = 1.0 + m00 + m11 + m22, 1.0 + m00 - m11 - m22, 1.0 - m00 + m11 - m22, 1.0 - m00 - m11 + m22
-    largest = max(w, x, y, z)
-    if not largest > 0.0:
-        return 0.0, 0.0, 0.0, 1.0
-    if largest == w:
-        out = (m21 - m12, m02 - m20, m10 - m01, w)
-    elif largest == x:
-        out = (x, m01 + m10, m02 + m20, m21 - m12)
-    elif largest == y:
-        out = (m01 + m10, y, m12 + m21, m02 - m20)
-    else:
-        out = (m02 + m20, m12 + m21, z, m10 - m01)
-    size = math.hypot(*out)
-    return out[0] / size, out[1] / size, out[2] / size, out[3] / size
+    return quaternion_of((m00, m01, m02, m10, m11, m12, m20, m21, m22))

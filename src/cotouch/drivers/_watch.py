@@ -22,10 +22,15 @@ class SampleWatch:
         repeated: whether the last sample was the one before it, to the last bit.
     """
 
-    __slots__ = ("_changed", "_position", "_velocity", "repeated")
+    __slots__ = ("_changed", "_position", "_velocity", "_what", "repeated")
 
-    def __init__(self) -> None:
-        """Has seen nothing."""
+    def __init__(self, what: str = "position") -> None:
+        """Has seen nothing.
+
+        Args:
+            what: it looks at: position, or orientation with its velocity as that of an arc.
+        """
+        self._what = what
         self._position: tuple[float, ...] = (math.nan,) * 3
         self._velocity: tuple[float, ...] = (math.nan,) * 3
         self._changed = -math.inf
@@ -36,7 +41,7 @@ class SampleWatch:
 
         Args:
             time: of the sample, monotonic [s].
-            position: (3,) [m].
+            position: (3,) [m], or a quaternion (4,).
             velocity: (3,) [m/s].
         """
         place: tuple[float, ...] = tuple(position.tolist())
@@ -47,5 +52,5 @@ class SampleWatch:
             self._changed = time
         self._position, self._velocity = place, rate
         if same and time - self._changed > PATIENCE and max(map(abs, rate)) > _MOVING:
-            return f"repeats one position for {1e3 * (time - self._changed):.0f} ms while it reports motion"
+            return f"repeats one {self._what} for {1e3 * (time - self._changed):.0f} ms while it reports motion"
         return None

@@ -11,6 +11,7 @@ from cotouch.body import Body
 from cotouch.errors import DeviceError
 from cotouch.hands._grasped import Grasped, GraspedBall, GraspedNode, more
 from cotouch.hands._grasped_tool import GraspedTool
+from cotouch.hands._twisted import Twisted
 from cotouch.haptics import (
     LEAST_SCALE,
     MOST_SCALE,
@@ -229,6 +230,10 @@ class _Hold:
         self._origin: Vector | None = None
         self._before = _NOWHERE
         self._message = EnergyMessage()
+        self._twisted: Twisted | None = None
+        if isinstance(grasped, GraspedTool) and link.spec.torque > 0.0:
+            turning = link.couple_turning(below)
+            self._twisted = None if turning is None else Twisted(grasped, turning)
 
     def before(self, T: float) -> None:
         scale = self._scale
@@ -248,12 +253,24 @@ class _Hold:
             _times(scale, pull.target),
             _times(1.0 / scale, pull.push),
         )
-        self.grasped.turn(None if report is None else report.orientation, T)
+        if self._twisted is None:
+            self.grasped.turn(None if report is None else report.orientation, T)
+        else:
+            self._twisted.before(report, T)
 
     def after(self) -> None:
         place = _times(1.0 / self._scale, self.grasped.place())
         self._end.settle(_times(self._scale, self.grasped.force()), _less(place, self._before))
-        self._link.order(None if self._origin is None else _less(place, self._origin), self._end.message)
+        there, message, twisted = (
+            None if self._origin is None else _less(place, self._origin),
+            self._end.message,
+            self._twisted,
+        )
+        if twisted is None:
+            self._link.order(there, message)
+            return
+        twisted.after()
+        self._link.order(there, message, orientation=twisted.orientation, twist=twisted.message)
 
 
 def _scale(link: ServoLink, below: CouplingChoice, body: Body) -> float:

@@ -10,8 +10,8 @@ from cotouch.arrays import Float
 from cotouch.body import frame_of
 from cotouch.hands._grasped import vector
 from cotouch.hands._shown import write_hand
-from cotouch.hands._turning import Turner, back, nearest_to, product, turned
-from cotouch.haptics import Quaternion, Vector
+from cotouch.hands._turning import Turner, nearest_to, turned
+from cotouch.haptics import Quaternion, Twist, Vector, back, product, turn_of
 from cotouch.mechanics import Model, Ports
 from cotouch.scenario import RigidTool, rows_of
 
@@ -25,7 +25,7 @@ class GraspedTool:
 
     Forces of the latter only turn, so all that moves the handle is the device's coupling, which books it; what they put
     in is the hand's. They hold the orientation that the tool has, or lead it as the device turns from where it was
-    heard first: no device feels that.
+    heard first: no device feels that (`turn`). Of a device that renders torques they are the coupling's (`twist`).
     """
 
     def __init__(self, ports: Ports, own: Sequence[int], tool: RigidTool, model: Model) -> None:
@@ -42,7 +42,13 @@ class GraspedTool:
         shares = tool.shares.mean(axis=0)
         self._rest, self._rows, self._shares = tool.part.rest(), rows_of(tool.part, model), shares
         self._start = tool.handle
-        self._ways = (tool.shares - shares) @ self._rest
+        self._arm_shares = tool.shares - shares
+        self._ways = self._arm_shares @ self._rest
+        self._upright = np.linalg.inv(frame_of(self._rest))
+        # The points are alternate corners of a cube, so springs of all four are as stiff about every axis.
+        self._square = float((self._ways**2).sum()) / 1.5
+        self._from = self._ways
+        self._seen: tuple[Float, Quaternion] | None = None  # where its masses were, and how it was turned there
         ports.stiffness[self._arms] = 0.25 * tool.hand.stiffness
         ports.damping[self._arms] = 0.25 * tool.hand.damping
         self._position: Float | None = None
@@ -80,7 +86,7 @@ class GraspedTool:
         """
         if self._turner is None:
             self._turner = Turner()
-            self._turner.put(nearest_to(frame_of(self._masses()) @ np.linalg.inv(frame_of(self._rest))))
+            self._turner.put(self.orientation())
         ports, turner = self._ports, self._turner
         here = goal = turner.turn
         ports.start[self._arms, :3] = turned(here, self._ways) - self._ways
@@ -90,6 +96,30 @@ class GraspedTool:
             goal = product(orientation, self._frame)
         turner.move(goal, T, **_TURNING)
         ports.end[self._arms, :3] = turned(turner.turn, self._ways) - self._ways
+
+    def orientation(self) -> Quaternion:
+        """From its rest."""
+        masses = self._masses()
+        if self._seen is None or not np.array_equal(masses, self._seen[0]):  # it takes some 50 µs
+            self._seen = masses, nearest_to(frame_of(masses) @ self._upright)
+        return self._seen[1]
+
+    def twist(self, twist: Twist) -> None:
+        """Sets what turns it in the coming step.
+
+        Args:
+            twist: from its orientation.
+        """
+        ports, arms, square = self._ports, self._arms, self._square
+        self._from = here = self._where()
+        ports.stiffness[arms], ports.damping[arms] = twist.stiffness / square, twist.damping / square
+        ports.start[arms, :3] = ports.end[arms, :3] = turned(turn_of(twist.turn), here) - self._ways
+        x, y, z = twist.push
+        ports.push[arms, :3] = here @ np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]]) / square
+
+    def twisted(self) -> float:
+        """The work of what turned it in the last step [J]."""
+        return float((self._ports.force[self._arms, :3] * (self._where() - self._from)).sum())
 
     def force(self) -> Vector:
         """Mean of what pulled its handle in the last step [N]."""
@@ -105,6 +135,10 @@ class GraspedTool:
         """
         place = self.place()
         write_hand(fields, k, "pose", -1, target or place, place, self.force())
+
+    def _where(self) -> Float:
+        """The ways from its handle, (4, 3) [m]."""
+        return self._arm_shares @ self._masses()
 
     def _masses(self) -> Float:
         return self._rest if self._position is None else self._rest + self._position[self._rows, :3]

@@ -8,7 +8,8 @@ import numpy as np
 from cotouch.arrays import Float
 from cotouch.body import frame_of, shares_of
 from cotouch.hands._motion import Mover
-from cotouch.hands._turning import Turner, nearest_to, turn_of, turned
+from cotouch.hands._turning import Turner, nearest_to, turned
+from cotouch.haptics import turn_of
 from cotouch.mechanics import Model, Ports
 from cotouch.scenario import RigidTool, rows_of
 

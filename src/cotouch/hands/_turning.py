@@ -1,7 +1,5 @@
 """How the orientation that a hand leads to turns, in quaternions xyzw."""
 
-import math
-from collections.abc import Sequence
 from typing import final
 
 import numpy as np
@@ -9,49 +7,7 @@ import numpy as np
 from cotouch.arrays import Float
 from cotouch.body import turn_vectors
 from cotouch.hands._motion import Mover
-from cotouch.haptics import Quaternion
-
-UNTURNED: Quaternion = (0.0, 0.0, 0.0, 1.0)
-
-
-def product(a: Quaternion, b: Quaternion) -> Quaternion:
-    """First turned as b says, then as a says, of length 1 again.
-
-    Args:
-        a: what comes second.
-        b: what comes first.
-    """
-    ax, ay, az, aw = a
-    bx, by, bz, bw = b
-    x = aw * bx + ax * bw + ay * bz - az * by
-    y = aw * by - ax * bz + ay * bw + az * bx
-    z = aw * bz + ax * by - ay * bx + az * bw
-    w = aw * bw - ax * bx - ay * by - az * bz
-    scale = 1.0 / math.sqrt(x * x + y * y + z * z + w * w)
-    return scale * x, scale * y, scale * z, scale * w
-
-
-def back(a: Quaternion) -> Quaternion:
-    """What undoes a turn."""
-    x, y, z, w = a
-    return -x, -y, -z, w
-
-
-def turn_of(vector: Sequence[float]) -> Quaternion:
-    """Of a turn about an axis, as long as the angle [rad]."""
-    x, y, z = vector
-    angle = math.sqrt(x * x + y * y + z * z)
-    scale = math.sin(0.5 * angle) / angle if angle > 0.0 else 0.5
-    return scale * x, scale * y, scale * z, math.cos(0.5 * angle)
-
-
-def vector_of(a: Quaternion) -> list[float]:
-    """The shortest turn: along its axis, as long as the angle [rad]."""
-    x, y, z, w = a
-    sine = math.sqrt(x * x + y * y + z * z)
-    scale = 2.0 * math.atan2(sine, abs(w)) / sine if sine > 0.0 else 2.0
-    scale = math.copysign(scale, w)
-    return [scale * x, scale * y, scale * z]
+from cotouch.haptics import UNTURNED, Quaternion, back, product, turn_of, vector_of
 
 
 def nearest_to(matrix: Float) -> Quaternion:

@@ -1,13 +1,14 @@
 """Devices that are held in a hand: what they have in common, and the loop that holds them safely."""
 
 from cotouch.haptics._conformance import CheckResult, conform
-from cotouch.haptics._core import Order, Quaternion, ServoCore, ServoReport
+from cotouch.haptics._core import Order, ServoCore, ServoReport
 from cotouch.haptics._coupling import COUPLING, LEAST_SCALE, MOST_SCALE, CouplingChoice, Scale, coupling_of
-from cotouch.haptics._device import Device, DeviceReading, Flag
+from cotouch.haptics._device import Device, DeviceReading, Flag, TorqueDevice
 from cotouch.haptics._ends import DeviceEnd, EndOptions, ProxyEnd, checked
 from cotouch.haptics._frames import FORCE_DIMENSION, FRAMES, HAPLY, OPENHAPTICS, OPENXR, Frame
 from cotouch.haptics._limits import SafetyLimits
 from cotouch.haptics._link import ServoLink
+from cotouch.haptics._quaternions import UNTURNED, Quaternion, back, product, turn_of, vector_of
 from cotouch.haptics._registry import (
     GROUP,
     DeviceChoice,
@@ -34,10 +35,12 @@ from cotouch.haptics._safety import (
 from cotouch.haptics._servo import Servo
 from cotouch.haptics._settings import ServoSettings
 from cotouch.haptics._simulated import SIMULATED, SimulatedOnClock, simulated_model
+from cotouch.haptics._turning import ARM, TurningEnd, TurningProxyEnd, Twist, at_arm
 from cotouch.haptics._virtual import checked_virtual, virtual_limit
 from cotouch.haptics._warning_log import priority_refused
 
 __all__ = [
+    "ARM",
     "COUPLING",
     "FORCE_DIMENSION",
     "FRAMES",
@@ -48,6 +51,7 @@ __all__ = [
     "OPENHAPTICS",
     "OPENXR",
     "SIMULATED",
+    "UNTURNED",
     "Cause",
     "CheckResult",
     "CouplingChoice",
@@ -74,7 +78,13 @@ __all__ = [
     "ServoReport",
     "ServoSettings",
     "SimulatedOnClock",
+    "TorqueDevice",
+    "TurningEnd",
+    "TurningProxyEnd",
+    "Twist",
     "Vector",
+    "at_arm",
+    "back",
     "checked",
     "checked_virtual",
     "conform",
@@ -84,6 +94,7 @@ __all__ = [
     "make_device",
     "open_device",
     "priority_refused",
+    "product",
     "reasons",
     "saturate",
     "silence",
@@ -91,5 +102,7 @@ __all__ = [
     "size",
     "slew",
     "spoken",
+    "turn_of",
+    "vector_of",
     "virtual_limit",
 ]

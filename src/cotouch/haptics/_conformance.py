@@ -9,12 +9,13 @@ import threading
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import final
+from typing import cast, final
 
 import numpy as np
 
 from cotouch.errors import DeviceError
-from cotouch.haptics._device import Device, DeviceReading, Flag
+from cotouch.haptics._device import Device, DeviceReading, Flag, TorqueDevice
+from cotouch.haptics._turning import ARM
 
 # Longest that an exchange may take, by the interface [s]; a loaded machine gets as much again.
 LIMIT = 0.02
@@ -23,6 +24,8 @@ _GENTLE = 0.05
 # Fastest that a device may say it moves while nobody does anything violent with it [m/s].
 _FASTEST = 20.0
 _ZERO = np.zeros(3)
+# And torque: what that is at the end of a grip.
+_LIGHT = ARM * _GENTLE
 
 
 @final
@@ -76,7 +79,7 @@ def conform(
         device.open()
         _limits(device, note)
         before = _cycles(device, cycles, _ZERO + _GENTLE, clock, sleep)
-        _readings(before, note, "before calibration", clock)
+        _readings(before, note, "before calibration", clock, torque=device.spec.torque > 0.0)
         note("no force before it is enabled", _off(before), "force 0 or unsaid, and not FORCE_ON")
         device.calibrate(allow_motion=allow_motion)
         after = _cycles(device, cycles, _ZERO + _GENTLE, clock, sleep)
@@ -107,9 +110,14 @@ def _with_force(
     on = _cycles(device, cycles, _ZERO, clock, sleep)
     note("force is on once enabled", all(r.flags & Flag.FORCE_ON for r, _ in on), "FORCE_ON in every cycle")
     gentle = _cycles(device, cycles, np.array([0.0, 0.0, _GENTLE]), clock, sleep)
-    _readings(gentle, note, "with force", clock)
+    _readings(gentle, note, "with force", clock, torque=device.spec.torque > 0.0)
     sizes = [float(np.linalg.norm(r.force)) for r, _ in gentle if np.isfinite(r.force).all()]
     note("no more force than commanded", all(s <= 1.01 * _GENTLE for s in sizes), f"{max(sizes, default=0.0):.3g} N")
+    twists = [
+        float(np.linalg.norm(r.torque)) for r, _ in gentle if r.torque is not None and np.isfinite(r.torque).all()
+    ]
+    most = _LIGHT if device.spec.torque > 0.0 else 0.0
+    note("no more torque than commanded", all(t <= 1.01 * most for t in twists), f"{max(twists, default=0.0):.3g} Nm")
     raised: list[BaseException] = []
 
     def stop() -> None:
@@ -141,6 +149,11 @@ def _limits(device: Device, note: Note) -> None:
     note("continuous force within the largest", spec.continuous_force <= spec.force, f"{spec.continuous_force:g} N")
     few = 0 <= spec.actuated <= spec.degrees_of_freedom
     note("no more motors than axes", few, f"{spec.actuated} of {spec.degrees_of_freedom}")
+    if spec.torque:
+        of_turning = (spec.torque, spec.continuous_torque, spec.turning_stiffness, spec.turning_damping)
+        good = all(math.isfinite(value) and value > 0.0 for value in of_turning) and spec.turning_resolution >= 0.0
+        note("limits of torque are numbers", good, f"torque {spec.torque:g} Nm, {spec.turning_stiffness:g} Nm/rad")
+        note("continuous torque within the largest", spec.continuous_torque <= spec.torque, f"{spec.torque:g} Nm")
 
 
 def _cycles(
@@ -148,9 +161,14 @@ def _cycles(
 ) -> Cycles:
     period = 1.0 / min(device.spec.rate, 1000.0)
     seen: Cycles = []
+    # Wherever there is force, a device that renders torques gets some as well.
+    torque = _LIGHT * (force != 0.0).any() * np.array([0.6, 0.0, 0.8])
     for _ in range(count):
         begun = clock()
-        reading = device.exchange(force.copy())
+        if device.spec.torque > 0.0:
+            reading = cast("TorqueDevice", device).exchange(force.copy(), torque.copy())
+        else:
+            reading = device.exchange(force.copy())
         took = clock() - begun
         seen.append((reading, took))
         if took < period:
@@ -158,7 +176,7 @@ def _cycles(
     return seen
 
 
-def _readings(cycles: Cycles, note: Note, when: str, clock: Callable[[], float]) -> None:
+def _readings(cycles: Cycles, note: Note, when: str, clock: Callable[[], float], *, torque: bool) -> None:
     readings = [reading for reading, _ in cycles]
     shapes = all(r.position.shape == r.velocity.shape == r.force.shape == (3,) for r in readings)
     note(f"three numbers each, {when}", shapes, "position, velocity, force")
@@ -181,11 +199,15 @@ def _readings(cycles: Cycles, note: Note, when: str, clock: Callable[[], float])
     handles = [r.orientation for r in readings if r.orientation is not None]
     units = all(h.shape == (4,) and abs(float(np.linalg.norm(h)) - 1.0) < 1e-3 for h in handles)
     note(f"orientation is a unit quaternion, {when}", units, "or None")
+    if torque:
+        note(f"it has an orientation, {when}", len(handles) == len(readings), "in every reading, as it renders torques")
 
 
 def _off(cycles: Cycles) -> bool:
     return all(
-        not reading.flags & Flag.FORCE_ON and (bool(np.isnan(reading.force).all()) or not reading.force.any())
+        not reading.flags & Flag.FORCE_ON
+        and (bool(np.isnan(reading.force).all()) or not reading.force.any())
+        and (reading.torque is None or bool(np.isnan(reading.torque).all()) or not reading.torque.any())
         for reading, _ in cycles
     )
 

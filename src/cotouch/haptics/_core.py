@@ -1,6 +1,5 @@
 """One cycle of the servo, without a clock, a device or another process: readings and orders in, forces out."""
 
-from collections import deque
 from collections.abc import Sequence
 from math import inf, isfinite
 from typing import NamedTuple, final
@@ -8,27 +7,19 @@ from typing import NamedTuple, final
 from cotouch.arrays import Float
 from cotouch.device import DeviceSpec
 from cotouch.haptics._device import DeviceReading, Flag
-from cotouch.haptics._ends import WINDOW, DeviceEnd, EndOptions, checked
+from cotouch.haptics._ends import DeviceEnd, EndOptions, checked
 from cotouch.haptics._limits import SafetyLimits
-from cotouch.haptics._port import less
-from cotouch.haptics._safety import ZERO, Cause, Observation, SafetyChain, Vector, scaled, size
+from cotouch.haptics._measured import Measured
+from cotouch.haptics._quaternions import Quaternion, quaternion
+from cotouch.haptics._safety import NO_CAUSE, ZERO, Cause, Observation, SafetyChain, Vector, scaled, size
+from cotouch.haptics._turning import TurningEnd, at_arm
 from cotouch.haptics._virtual import checked_virtual
 from cotouch.mechanics import EnergyMessage
 
-# The safety chain's speed is that over this [s]: shorter, and one step of an encoder looks quick; longer, and a device
-# that is flung away has been so for long.
-_QUICK = 0.004
 # A button held down for so long, with the device slow, re-arms [s, m/s].
 _REARM, _SLOW = 1.0, 0.1
-# Slack of the passivity observer for rounding [J].
-_SLACK = 1e-6
 # Longest arm that the charge for turning forces assumes where a workspace is unknown [m].
 _LEVER = 0.1
-# By how much the square of an orientation's length may be off one.
-_UNIT = 2e-3
-
-
-Quaternion = tuple[float, float, float, float]
 
 
 class Order(NamedTuple):
@@ -43,6 +34,9 @@ class Order(NamedTuple):
         rearm: rises by one each time that somebody re-arms.
         coupling: number of the coupling that is meant; rises by one with each.
         options: of that coupling; None: those that the servo began with.
+        turning: of its coupling of turning, as for places at the arm (`_turning.py`); None: no torque is wanted.
+        orientation: of the proxy, in the device's frame, quaternion xyzw; None: there is none to follow.
+        twist: of the proxy's end of turning.
     """
 
     time: float
@@ -53,6 +47,9 @@ class Order(NamedTuple):
     rearm: int = 0
     coupling: int = 0
     options: EndOptions | None = None
+    turning: EndOptions | None = None
+    orientation: Quaternion | None = None
+    twist: EnergyMessage = EnergyMessage()
 
 
 _NONE = Order(time=-inf)
@@ -90,13 +87,16 @@ class ServoReport(NamedTuple):
         force: for the motors from the next exchange on [N].
         wanted: by the coupling and the wall, before the safety chain [N].
         message: of the device's end.
-        work: of the motors so far, as measured [J].
-        excess: of it beyond what may [J]; <= 0.
+        work: of the motors so far, as measured, of torques too [J].
+        excess: of it beyond what may, of forces or of torques, whichever is more [J]; <= 0.
         causes: why force was removed.
         buttons: bit n is button n.
         flags: of the device.
         coupling: number of the coupling, as the last order had it.
-        orientation: of the handle, quaternion xyzw; None: the device does not say.
+        orientation: of the handle, quaternion xyzw, as the coupling takes it; None: the device does not say.
+        torque: for the motors from the next exchange on [Nm].
+        spin: angular velocity over 10 ms; of a device that renders torques [rad/s].
+        twist: of the device's end of turning.
     """
 
     time: float
@@ -113,6 +113,9 @@ class ServoReport(NamedTuple):
     flags: Flag
     coupling: int = 0
     orientation: Quaternion | None = None
+    torque: Vector = ZERO
+    spin: Vector = ZERO
+    twist: EnergyMessage = EnergyMessage()
 
 
 @final
@@ -123,17 +126,28 @@ class ServoCore:
 
     Attributes:
         end: the device's end of the coupling.
-        chain: the safety chain.
+        turning: that of turning; None: no torque is wanted.
+        chain: the safety chain. Torque has one of its own with its own limits, heat and slew, which sees the same and
+            takes over whatever is latched or broken: force and torque go together.
         coupling: number of the coupling.
     """
 
-    def __init__(self, spec: DeviceSpec, limits: SafetyLimits, options: EndOptions, *, period: float = 1e-3) -> None:
+    def __init__(
+        self,
+        spec: DeviceSpec,
+        limits: SafetyLimits,
+        options: EndOptions,
+        *,
+        turning_limits: SafetyLimits | None = None,
+        period: float = 1e-3,
+    ) -> None:
         """Off.
 
         Args:
             spec: of the device.
             limits: of the safety chain.
             options: of the coupling.
+            turning_limits: of the safety chain for torques, as forces at the arm; None: the default for the device.
             period: of the servo, by which a virtual coupling is judged [s].
 
         Raises:
@@ -145,16 +159,15 @@ class ServoCore:
         self.chain = SafetyChain(limits)
         self._order = _NONE
         self._came: float | None = -inf  # when the order was there first; None: since the last cycle
+        self.turning: TurningEnd | None = None
+        self._turning_chain: SafetyChain | None = None
+        if spec.torque > 0.0:
+            self._turning_chain = SafetyChain(turning_limits or SafetyLimits.of(at_arm(spec)))
         self._force = ZERO
         self._begun: float | None = None
         self._last = self._fresh = self._measured = 0.0
-        self._rate = ZERO
+        self._seen = Measured(limits.force)
         self._tick = 0
-        self._path = deque[tuple[float, Vector, Vector]]()
-        self._place: Vector | None = None
-        self._farthest = self._longest = self._bound = 0.0
-        self._out = 0.0  # work of the motors by the observer's own ledger [J]
-        self._acted = ZERO
         self._pressed: float | None = None
         self._armed: int | None = None
 
@@ -166,7 +179,7 @@ class ServoCore:
     @property
     def observed_bound(self) -> float:
         """What sampling alone may have made of the motion so far, at most [J]; part of the d² of two-port passivity."""
-        return self._bound
+        return self._seen.bound
 
     def receive(self, order: Order) -> None:
         """Takes the newest order.
@@ -176,7 +189,7 @@ class ServoCore:
         """
         self._order, self._came = order, None
         if order.coupling > self.coupling and order.options is not None:
-            self._couple(order.options, order.coupling)
+            self._couple(order)
         if self._armed is not None and order.rearm > self._armed:
             self.chain.rearm()
         self._armed = order.rearm if self._armed is None else max(self._armed, order.rearm)
@@ -188,13 +201,19 @@ class ServoCore:
             checked_virtual(options, spec, period=self._period)
         return DeviceEnd(options, resolution=spec.resolution, lever=lever, radius=limits.radius, wall=limits.wall)
 
-    def _couple(self, options: EndOptions, number: int) -> None:
+    def _couple(self, order: Order) -> None:
         """Begins anew with another coupling: relaxed, with a ledger of its own, and with the ramp."""
-        self.end, self.coupling = self._made(options), number
+        assert order.options is not None
+        self.end, self.coupling = self._made(order.options), order.coupling
         self.chain.restart()
-        self._force = self._acted = ZERO
-        self._place = None
-        self._farthest = self._longest = self._bound = self._out = 0.0
+        self._force = ZERO
+        self._seen.restart()
+        self.turning = None
+        if self._turning_chain is not None:
+            self._turning_chain.restart()
+            if order.turning is not None:
+                arc, most = at_arm(self._spec), self._turning_chain.limits.force
+                self.turning = TurningEnd(checked(order.turning, arc), resolution=arc.resolution, most=most)
 
     def cycle(self, reading: DeviceReading, now: float, unwatched: float = 0.0) -> ServoReport:
         """One cycle.
@@ -212,14 +231,14 @@ class ServoCore:
         place = _vector(reading.position)
         if not isfinite(size(place)):
             self.chain.fail(Cause.FAULT)
-            place = self._place or ZERO
+            place = self._seen.place or ZERO
         said = _vector(reading.force)
-        self._observe(place, T)
+        self._seen.observe(place, T, self._force, self.end)
         since = max(T, reading.time - self._measured)  # a place that stood still has moved for longer
         self.end.measure(place, self._force, said if isfinite(size(said)) else None, since)
-        self._place, self._measured = place, max(reading.time, self._measured)
+        self._measured = max(reading.time, self._measured)
         taken = self.end.place or place
-        rate, quick = self._rates(reading.time, taken, place)
+        quick, rate = self._seen.quick(reading.time, taken, place), self._seen.rate
         if first or not reading.flags & Flag.STALE:
             self._fresh = now
         self._buttons(reading.buttons, size(rate), now)
@@ -231,22 +250,26 @@ class ServoCore:
             self.chain.fail(Cause.FAULT)
             desired = None
         wanted = self.end.decide(desired, rate, order.message, T)
-        excess = self._excess()
-        fraction = self.chain.limit(
-            wanted,
-            Observation(
-                now=now,
-                T=T,
-                age=gone,
-                stale=now - self._fresh,
-                speed=max(quick, _finite(size(_vector(reading.velocity)))),
-                excess=excess,
-                enabled=order.enable,
-                follows=bool(reading.flags & Flag.FORCE_ON),
-                unwatched=unwatched,
-            ),
+        orientation = quaternion(reading.orientation)
+        turning = self.turning
+        quick = max(quick, self._turn(reading, orientation, T, since, followed=desired is not None))
+        excess, work = self._seen.excess(self.end), self._seen.work
+        if turning is not None:
+            excess, work = max(excess, turning.seen.excess(turning.end)), work + turning.seen.work
+        seen = Observation(
+            now=now,
+            T=T,
+            age=gone,
+            stale=now - self._fresh,
+            speed=max(quick, _finite(size(_vector(reading.velocity)))),
+            excess=excess,
+            enabled=order.enable,
+            follows=bool(reading.flags & Flag.FORCE_ON),
+            unwatched=unwatched,
         )
+        fraction = self.chain.limit(wanted, seen)
         self._force = scaled(fraction, wanted)
+        causes = self.chain.causes | self._limit_torque(seen)
         return ServoReport(
             time=reading.time,
             tick=self._tick,
@@ -255,52 +278,46 @@ class ServoCore:
             force=self._force,
             wanted=wanted if isfinite(size(wanted)) else ZERO,
             message=self.end.message,
-            work=self._out,
+            work=work,
             excess=excess,
-            causes=self.chain.causes,
+            causes=causes,
             buttons=reading.buttons,
             flags=reading.flags,
             coupling=self.coupling,
-            orientation=_orientation(reading.orientation),
+            orientation=orientation if turning is None else turning.orientation,
+            torque=ZERO if turning is None else turning.torque,
+            spin=ZERO if turning is None else turning.spin,
+            twist=EnergyMessage() if turning is None else turning.end.message,
         )
 
-    def _observe(self, place: Vector, T: float) -> None:
-        """The observer's ledger: nothing but forces that were told and measured places."""
-        if self._place is not None:
-            before = self._place
-            moved = less(place, before)
-            self._out += sum(f * m for f, m in zip(self._acted, moved, strict=True))
-            far = size(moved)
-            if T > 0.0 and (far > self._farthest or self._longest < T):
-                self._farthest, self._longest = max(self._farthest, far), max(self._longest, T)
-                self._bound = max(self._bound, self.end.bound(far / T, T, self._limits.force))
-        self._acted = self._force
+    def _turn(
+        self, reading: DeviceReading, orientation: Quaternion | None, T: float, since: float, *, followed: bool
+    ) -> float:
+        """Takes how the handle is turned, and what the coupling wants of that; how quick it was [m/s at the arm]."""
+        turning, order = self.turning, self._order
+        if turning is None:
+            return 0.0
+        goal = quaternion(order.orientation) if followed else None
+        if orientation is None or (followed and order.orientation is not None and goal is None):
+            self.chain.fail(Cause.FAULT)
+            turning.wanted = ZERO
+            return 0.0
+        said = None if reading.torque is None else _vector(reading.torque)
+        said = said if said is not None and isfinite(size(said)) else None
+        quick = turning.measure(orientation, reading.time, said, T, since)
+        turning.decide(goal, order.twist, T)
+        if not isfinite(size(turning.wanted)):
+            self.chain.fail(Cause.FAULT)
+        return quick
 
-    def _excess(self) -> float:
-        """Work of the motors beyond what the peer gave, the initial energy and the bound of sampling [J]."""
-        return self._out - (self.end.due + self.end.start + self._bound + _SLACK)
-
-    def _rates(self, time: float, taken: Vector, place: Vector) -> tuple[Vector, float]:
-        """Velocity over the window as the law takes it, and the quickest of the last moments as measured [m/s].
-
-        Times are those of the measurements: a loop that is late takes nothing for quick.
-        """
-        path = self._path
-        if path and time <= path[-1][0]:
-            return self._rate, 0.0
-        path.append((time, taken, place))
-        while len(path) > 2 and path[1][0] <= time - WINDOW:
-            path.popleft()
-        if len(path) < 2:
-            return ZERO, 0.0
-        then, start, _ = path[0]
-        self._rate = scaled(1.0 / (time - then), less(taken, start))
-        quick = 0.0
-        for recent, _, there in reversed(path):
-            if time - recent >= _QUICK:
-                quick = size(less(place, there)) / (time - recent)
-                break
-        return self._rate, quick
+    def _limit_torque(self, seen: Observation) -> Cause:
+        """Holds the torque to its limits; why there is less than was asked for."""
+        turning, chain = self.turning, self._turning_chain
+        if turning is None or chain is None:
+            return NO_CAUSE
+        chain.latched, chain.broken = self.chain.latched, self.chain.broken
+        turning.force = scaled(chain.limit(turning.wanted, seen), turning.wanted)
+        return chain.causes
 
     def _buttons(self, buttons: int, speed: float, now: float) -> None:
         """Whoever holds the device re-arms it by holding its first button."""
@@ -316,14 +333,6 @@ class ServoCore:
 def _vector(array: Sequence[float] | Float) -> Vector:
     x, y, z = array
     return float(x), float(y), float(z)
-
-
-def _orientation(given: Float | None) -> Quaternion | None:
-    """As it is handed on: a unit quaternion, or none."""
-    if given is None:
-        return None
-    x, y, z, w = (float(value) for value in given)
-    return (x, y, z, w) if abs(x * x + y * y + z * z + w * w - 1.0) < _UNIT else None
 
 
 def _finite(value: float) -> float:

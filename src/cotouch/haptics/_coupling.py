@@ -9,6 +9,7 @@ from cotouch.device import DeviceSpec, installed_coupling
 from cotouch.errors import DeviceError
 from cotouch.haptics._ends import WINDOW, EndOptions, checked
 from cotouch.haptics._registry import DeviceChoice, Option
+from cotouch.haptics._turning import ARM, at_arm
 from cotouch.haptics._virtual import checked_virtual, virtual_limit
 from cotouch.mechanics import checked_toll, encoder_toll, opening_energy
 
@@ -26,9 +27,15 @@ COUPLING: Mapping[str, str] = {
     "weight": "above 1, the device pays more for old positions, below 1 the proxy; with coupling=virtual, 1",
     "scale": "the body moves this many times as far as the device, which feels this many times the force; or fit",
     "tool": "which tool of the user it moves, from 1",
+    "turning_stiffness": "of the coupling to a rigid tool's orientation; for a device that renders torques [Nm/rad]",
+    "turning_damping": "likewise [Nms/rad]",
 }
 _PARAMETERS: Final = ("friction", "coulomb", "ages", "weight")
 _USUAL: Final = "pspm"
+# A handle weighs little: with 1 Nm/rad, one that nobody holds swings with positions that are 10 ms old [Nm/rad].
+_TURNING: Final = 0.5
+# What is meant for any law.
+_ANY_LAW: Final = ("scale", "tool", "turning_stiffness", "turning_damping")
 
 
 @final
@@ -48,6 +55,9 @@ class CouplingChoice:
         scale: metres of the body per metre of the device, 0.01 to 100; the device then feels so many times the force,
             so that power is the same at both; "fit": as much as lets its workspace span the body. 1.
         tool: of the user, from 1. The first that no other device of the user has.
+        turning_stiffness: of the coupling of turning, which is PSPM whatever the law; 0.5 Nm/rad, or what the device
+            renders well if that is less.
+        turning_damping: 0.005 Nms/rad, or what the device renders well if that is less.
     """
 
     law: str | None = None
@@ -59,6 +69,8 @@ class CouplingChoice:
     weight: float | None = None
     scale: Scale | None = None
     tool: int | None = None
+    turning_stiffness: float | None = None
+    turning_damping: float | None = None
 
     def __post_init__(self) -> None:
         """Checks what was said.
@@ -67,7 +79,7 @@ class CouplingChoice:
             DeviceError: a number is out of range, or has no effect with this law.
         """
         law = installed_coupling(self.law or _USUAL)
-        for name in ("stiffness", "damping", *_PARAMETERS):
+        for name in ("stiffness", "damping", "turning_stiffness", "turning_damping", *_PARAMETERS):
             value = getattr(self, name)
             if value is not None and not (isfinite(value) and value >= 0.0):
                 raise DeviceError(f"the coupling's {name} is {value:g}; it must be a number of at least 0")
@@ -87,7 +99,7 @@ class CouplingChoice:
         Another law takes nothing of the coupling below: its numbers were meant for that one.
         """
         if None not in {self.law, below.law} and self.law != below.law:
-            below = CouplingChoice(scale=below.scale, tool=below.tool)
+            below = replace(_NOTHING, **{name: getattr(below, name) for name in _ANY_LAW})
         said = {field.name: getattr(self, field.name) for field in fields(self)}
         return replace(below, **{name: value for name, value in said.items() if value is not None})
 
@@ -126,9 +138,50 @@ class CouplingChoice:
             options = options._replace(stiffness=self.stiffness)
         return checked_virtual(checked(options, spec), spec, period=period)
 
+    def turning(self, spec: DeviceSpec, *, period: float, torque: float) -> EndOptions | None:
+        """The coupling of turning, for both ends, as for places at the arm; None for a device that renders no torque.
+
+        Args:
+            spec: of the device.
+            period: of the servo [s].
+            torque: largest that the safety chain lets through [Nm].
+
+        Raises:
+            DeviceError: it does not fit the device.
+        """
+        stiffness, damping = self.turning_stiffness, self.turning_damping
+        if spec.torque <= 0.0:
+            if stiffness is not None or damping is not None:
+                raise DeviceError(
+                    f"turning_stiffness or turning_damping is given, but {spec.name} renders no torque; leave it out"
+                )
+            return None
+        if stiffness is not None and stiffness > spec.turning_stiffness:
+            raise DeviceError(
+                f"the coupling's turning_stiffness is {stiffness:g} Nm/rad; {spec.name} renders at most "
+                f"{spec.turning_stiffness:g} Nm/rad"
+            )
+        square, arc = ARM * ARM, at_arm(spec)
+        at_the_arm = CouplingChoice(
+            stiffness=(min(_TURNING, spec.turning_stiffness) if stiffness is None else stiffness) / square,
+            damping=None if damping is None else damping / square,
+        )
+        try:
+            options = at_the_arm.options(arc, period=period, force=torque / ARM)
+        except DeviceError as error:
+            raise DeviceError(f"of turning, taken as arcs at {1e3 * ARM:g} mm: {error}") from None
+        # Nobody turns with more than what the motors may render: the tanks need not begin with more.
+        spring, damper = options.stiffness, options.damping
+        toll = encoder_toll(stiffness=spring, damping=damper, window=WINDOW, resolution=arc.resolution)
+        begun = opening_energy(toll=toll, stiffness=spring, cap=options.cap, force=options.most)
+        return options._replace(initial_energy=begun)
+
     def plain(self) -> dict[str, object]:
         """As JSON has it."""
         return asdict(self)
+
+
+_NOTHING: Final = CouplingChoice()
 
 
 def _with_toll(options: EndOptions, spec: DeviceSpec, *, lower: bool) -> EndOptions:

@@ -45,6 +45,7 @@ class DeviceReading:
         buttons: bit n is button n.
         flags: see `Flag`.
         orientation: of the handle, quaternion xyzw; None where it is not measured.
+        torque: that the motors really apply about the tip, (3,) [Nm]; None where the device does not say.
     """
 
     time: float
@@ -54,6 +55,7 @@ class DeviceReading:
     buttons: int = 0
     flags: Flag = _NONE
     orientation: Float | None = None
+    torque: Float | None = None
 
 
 class Device(Protocol):
@@ -128,4 +130,23 @@ class Device(Protocol):
 
     def close(self) -> None:
         """Stops and lets go of the device. May be called again; never raises."""
+        ...
+
+
+class TorqueDevice(Device, Protocol):
+    """A device that renders torques as well: `spec.torque` is above 0, and every reading has an orientation.
+
+    Wherever `Device` speaks of force, it is force and torque: both are taken away together.
+    """
+
+    def exchange(self, force: Float, torque: Float | None = None) -> DeviceReading:
+        """One cycle, as `Device.exchange`.
+
+        Args:
+            force: on the hand, (3,) [N]; finite.
+            torque: on the hand about the tip, (3,) [Nm]; finite; None: none.
+
+        Raises:
+            DeviceError: a fault; motors are off or will be by the device's own watchdog.
+        """
         ...

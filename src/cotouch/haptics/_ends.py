@@ -281,6 +281,11 @@ class ProxyEnd:
         return self._end.number(END.energy)
 
     @property
+    def work(self) -> float:
+        """On the proxy so far [J]."""
+        return self._end.number(END.work)
+
+    @property
     def fraction(self) -> float:
         """How far the set position followed the device in the last step."""
         return self._end.number(END.fraction)
@@ -310,4 +315,12 @@ class ProxyEnd:
             force: mean of what pulled the proxy [N].
             moved: by the proxy [m].
         """
-        book_end(self._end.rows, 0, dot(force, moved), 0.0, 0.0)
+        self.book(dot(force, moved))
+
+    def book(self, work: float) -> None:
+        """Books the work of a step.
+
+        Args:
+            work: done on the proxy [J].
+        """
+        book_end(self._end.rows, 0, work, 0.0, 0.0)

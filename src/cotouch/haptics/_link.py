@@ -16,6 +16,7 @@ from cotouch.haptics._core import Order, ServoReport, silent_for
 from cotouch.haptics._coupling import CouplingChoice, coupling_of
 from cotouch.haptics._ends import EndOptions
 from cotouch.haptics._mailboxes import OrderWriter, ReportReader
+from cotouch.haptics._quaternions import Quaternion
 from cotouch.haptics._registry import DeviceChoice, driver
 from cotouch.haptics._safety import NO_CAUSE, Cause, Vector
 from cotouch.haptics._settings import ServoSettings, spec_from
@@ -41,6 +42,7 @@ raise SystemExit(main(line, servo))
 _PATIENCE = 300.0
 # A servo that says nothing for so long is gone [s].
 _GONE = 0.1
+_SILENT = EnergyMessage()
 
 
 @final
@@ -51,6 +53,7 @@ class ServoLink:
         spec: limits of the opened device.
         said: of the coupling, by whoever chose the device.
         options: of the coupling.
+        turning: of the coupling of turning, as for places at the arm; None: there is none.
         report: the newest of the servo; None before the first.
         process: what the servo obtained from the system, by name; and the guardian, under `guardian`.
         servo: its process id.
@@ -102,6 +105,7 @@ class ServoLink:
         self.statistics: dict[str, float] = {}
         self.process: dict[str, object] = {}
         self._number = 0  # of the coupling
+        self.turning: EndOptions | None = None
         settings = self._settings = ServoSettings(
             device=choice,
             folder=self._folder.path,
@@ -122,6 +126,7 @@ class ServoLink:
             assert self._process is not None
             self.guardian = self._process.pid
             self.options: EndOptions = settings.end_options(self.spec)
+            settings.turning_options(self.spec)  # what was said of turning fits the device
         except BaseException:
             self.close()
             raise
@@ -161,16 +166,43 @@ class ServoLink:
         """
         chosen = self.said.over(below)
         self.options = replace(self._settings, coupling=chosen).end_options(self.spec)
+        self.turning = None
         self._number += 1
         return self.options
 
-    def order(self, place: Vector | None, message: EnergyMessage, *, enable: bool = True) -> None:
-        """Tells the servo where the proxy is now.
+    def couple_turning(self, below: CouplingChoice) -> EndOptions | None:
+        """Lets this coupling turn as well, with a device that renders torques; after `couple`, before an order.
+
+        Args:
+            below: as of `couple`.
+
+        Returns:
+            Options of that, for the proxy's end of turning; None: the device renders no torque.
+
+        Raises:
+            DeviceError: it does not fit the device.
+        """
+        chosen = self.said.over(below)
+        self.turning = replace(self._settings, coupling=chosen).turning_options(self.spec)
+        return self.turning
+
+    def order(
+        self,
+        place: Vector | None,
+        message: EnergyMessage,
+        *,
+        enable: bool = True,
+        orientation: Quaternion | None = None,
+        twist: EnergyMessage = _SILENT,
+    ) -> None:
+        """Tells the servo where the proxy is now, and how it is turned.
 
         Args:
             place: in the device's frame [m]; None: nowhere.
             message: of the proxy's end.
             enable: whether force is wanted.
+            orientation: in the device's frame, quaternion xyzw; None: none to follow.
+            twist: of the proxy's end of turning.
         """
         self._step += 1
         self._orders.write(
@@ -183,6 +215,9 @@ class ServoLink:
                 rearm=self._rearm,
                 coupling=self._number,
                 options=self.options if self._number else None,
+                turning=self.turning if self._number else None,
+                orientation=orientation,
+                twist=twist,
             )
         )
 

@@ -12,6 +12,7 @@ from cotouch.errors import InputError
 from cotouch.haptics._core import Order, ServoReport
 from cotouch.haptics._device import Flag
 from cotouch.haptics._ends import EndOptions
+from cotouch.haptics._quaternions import Quaternion
 from cotouch.haptics._safety import Cause, Vector
 from cotouch.mailbox import MailboxReader, MailboxWriter
 from cotouch.mechanics import EnergyMessage
@@ -32,17 +33,24 @@ _REPORT_FIELDS: Final = {
     "wanted": ((3,), "f8"),
     "message": ((6,), "f8"),  # all but the last of `EnergyMessage`
     "ledger": ((2,), "f8"),  # work, excess
-    "states": ((5,), "i8"),  # starved, causes, buttons, flags, number of the coupling
+    "states": ((6,), "i8"),  # starved, causes, buttons, flags, number of the coupling, starved of turning
     "orientation": ((4,), "f8"),  # 0: none
+    "torque": ((3,), "f8"),
+    "spin": ((3,), "f8"),
+    "twist": ((6,), "f8"),
 }
 _ORDER_FIELDS: Final = {
     "time": ((), "f8"),
     "step": ((), "i8"),
     "place": ((3,), "f8"),
     "message": ((6,), "f8"),
-    "states": ((5,), "i8"),  # starved, followed, enable, rearm, number of the coupling
+    # starved, followed, enable, rearm, number of the coupling, starved of turning, whether there is a coupling of it
+    "states": ((7,), "i8"),
     "law": ((_NAME,), "u1"),  # of the coupling; like its numbers meant where the number is above 0
     "coupling": ((len(_OF_COUPLING),), "f8"),
+    "turning": ((len(_OF_COUPLING),), "f8"),  # of its coupling, which is PSPM
+    "orientation": ((4,), "f8"),  # 0: none
+    "twist": ((6,), "f8"),
 }
 
 
@@ -70,8 +78,12 @@ class ReportWriter:
         fields["wanted"][:] = report.wanted
         fields["message"][:] = message[:-1]
         fields["ledger"][:] = (report.work, report.excess)
-        fields["states"][:] = (message.starved, report.causes, report.buttons, report.flags, report.coupling)
+        states = (message.starved, report.causes, report.buttons, report.flags, report.coupling, report.twist.starved)
+        fields["states"][:] = states
         fields["orientation"][:] = 0.0 if report.orientation is None else report.orientation
+        fields["torque"][:] = report.torque
+        fields["spin"][:] = report.spin
+        fields["twist"][:] = report.twist[:-1]
         self._mailbox.publish()
 
     def close(self) -> None:
@@ -95,11 +107,16 @@ class OrderWriter:
         if order.place is not None:
             fields["place"][:] = order.place
         fields["message"][:] = message[:-1]
-        fields["states"][:] = (message.starved, order.place is not None, order.enable, order.rearm, order.coupling)
+        said = (message.starved, order.place is not None, order.enable, order.rearm, order.coupling)
+        fields["states"][:] = (*said, order.twist.starved, order.turning is not None)
+        fields["orientation"][:] = 0.0 if order.orientation is None else order.orientation
+        fields["twist"][:] = order.twist[:-1]
         if order.options is not None:
             options = order.options
             fields["law"][:] = np.frombuffer(options.law.encode().ljust(_NAME, b"\0"), np.uint8, _NAME)
             fields["coupling"][:] = [getattr(options, name) for name in _OF_COUPLING]
+        if order.turning is not None:
+            fields["turning"][:] = [getattr(order.turning, name) for name in _OF_COUPLING]
         self._mailbox.publish()
 
     def close(self) -> None:
@@ -121,8 +138,7 @@ class ReportReader:
         if got is None:
             return None
         work, excess = got["ledger"].tolist()
-        starved, causes, buttons, flags, coupling = got["states"].tolist()
-        x, y, z, w = got["orientation"].tolist()
+        starved, causes, buttons, flags, coupling, limp = got["states"].tolist()
         return ServoReport(
             time=float(got["time"]),
             tick=int(got["tick"]),
@@ -137,7 +153,10 @@ class ReportReader:
             buttons=buttons,
             flags=Flag(flags),
             coupling=coupling,
-            orientation=(x, y, z, w) if any((x, y, z, w)) else None,
+            orientation=_turned(got["orientation"]),
+            torque=_vector(got["torque"]),
+            spin=_vector(got["spin"]),
+            twist=EnergyMessage(*got["twist"].tolist(), starved=bool(limp)),
         )
 
     def close(self) -> None:
@@ -154,17 +173,20 @@ class OrderReader:
         self._mailbox = _Awaited(folder / ORDER)
         self._number = 0
         self._options: EndOptions | None = None
+        self._turning: EndOptions | None = None
 
     def read(self) -> Order | None:
         """The newest order that was not given yet."""
         got = self._mailbox.read()
         if got is None:
             return None
-        starved, followed, enable, rearm, coupling = got["states"].tolist()
+        starved, followed, enable, rearm, coupling, limp, turns = got["states"].tolist()
         if coupling != self._number:
             law = got["law"].tobytes().rstrip(b"\0").decode(errors="replace")
             self._number = coupling
             self._options = EndOptions(law=law, **dict(zip(_OF_COUPLING, got["coupling"].tolist(), strict=True)))
+            turning = dict(zip(_OF_COUPLING, got["turning"].tolist(), strict=True))
+            self._turning = EndOptions(**turning) if turns else None
         return Order(
             time=float(got["time"]),
             step=int(got["step"]),
@@ -174,6 +196,9 @@ class OrderReader:
             rearm=rearm,
             coupling=coupling,
             options=self._options,
+            turning=self._turning,
+            orientation=_turned(got["orientation"]),
+            twist=EnergyMessage(*got["twist"].tolist(), starved=bool(limp)),
         )
 
     def close(self) -> None:
@@ -247,6 +272,11 @@ class _Awaited:
         """Lets go of it."""
         if self._mailbox is not None:
             self._mailbox.close()
+
+
+def _turned(array: Array) -> Quaternion | None:
+    x, y, z, w = array.tolist()
+    return (x, y, z, w) if any((x, y, z, w)) else None
 
 
 def _vector(array: Array) -> Vector:

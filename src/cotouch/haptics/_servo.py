@@ -14,14 +14,15 @@ import time
 from collections.abc import Callable
 from dataclasses import asdict
 from math import inf
-from typing import final
+from typing import cast, final
 
 import numpy as np
 
+from cotouch.arrays import Float
 from cotouch.device import DeviceSpec
 from cotouch.errors import CotouchError
 from cotouch.haptics._core import Order, ServoCore, ServoReport
-from cotouch.haptics._device import Device, DeviceReading, Flag
+from cotouch.haptics._device import Device, DeviceReading, Flag, TorqueDevice
 from cotouch.haptics._mailboxes import OrderReader, ReportWriter, Watched
 from cotouch.haptics._registry import open_device
 from cotouch.haptics._safety import ZERO, Cause
@@ -72,14 +73,21 @@ class Servo:
         """
         spec = device.spec
         period = settings.period(spec)
-        self.core = ServoCore(spec, settings.safety(spec), settings.end_options(spec), period=period)
+        self.core = ServoCore(
+            spec,
+            settings.safety(spec),
+            settings.end_options(spec),
+            turning_limits=settings.turning_safety(spec),
+            period=period,
+        )
         self.fault = ""
         self.ticks = 0
         self._device, self._clock = device, clock
         self._watched, self._attended, self._unwatched = watched, attended, unwatched
         self._orders = OrderReader(settings.folder)
         self._reports = ReportWriter(settings.folder)
-        self._force = np.zeros(3)
+        self._force, self._torque = np.zeros(3), np.zeros(3)
+        self._exchange = device.exchange if spec.torque <= 0.0 else self._exchange_both
         self._on, self._armed, self._coupling = False, -1, 0
         self._report: ServoReport | None = None
         self._last = self._stood = -inf  # when the last cycle was, and when one was so late that others took over
@@ -87,7 +95,7 @@ class Servo:
     def cycle(self) -> bool:
         """One cycle; False once the force is gone for good."""
         self.ticks += 1
-        core, device = self.core, self._device
+        core = self.core
         if not self._watched():
             core.chain.fail(Cause.PARENT)
         if not self._attended():  # rather than wait until its silence is long
@@ -98,7 +106,7 @@ class Servo:
                 core.receive(order)
                 if core.coupling > self._coupling:  # what acts is of the one before
                     self._coupling = core.coupling
-                    self._force[:] = 0.0
+                    self._force[:] = self._torque[:] = 0.0
             if core.chain.broken:
                 return self._end()
             now = self._clock()
@@ -106,7 +114,7 @@ class Servo:
                 self._stood = now
             self._last = now
             self._enable(core.order, now)
-            reading = device.exchange(self._force)
+            reading = self._exchange(self._force)
         except Exception as error:  # noqa: BLE001  # whatever a driver raises, the motors go off
             self.fault = _sentence(error)
             core.chain.fail(Cause.FAULT)
@@ -114,7 +122,7 @@ class Servo:
         report = self._report = core.cycle(reading, self._clock(), self._unwatched())
         if core.chain.broken:
             return self._end()
-        self._force[:] = report.force
+        self._force[:], self._torque[:] = report.force, report.torque
         self._reports.write(report, self._clock())
         return True
 
@@ -123,13 +131,13 @@ class Servo:
         self.ticks += 1
         report = self._report or _nothing(self._clock())
         causes = self.core.chain.broken or report.causes
-        report = report._replace(tick=self.ticks, force=ZERO, wanted=ZERO, causes=causes)
+        report = report._replace(tick=self.ticks, force=ZERO, torque=ZERO, wanted=ZERO, causes=causes)
         self._reports.write(report, self._clock())
 
     def stop(self) -> None:
         """Takes the force away at once, and says so."""
         self._device.stop()
-        self._force[:] = 0.0
+        self._force[:] = self._torque[:] = 0.0
         if not self.core.chain.broken:
             self.core.chain.fail(Cause.STOPPED)
         self.say()
@@ -156,9 +164,12 @@ class Servo:
 
     def _end(self) -> bool:
         self._device.stop()
-        self._force[:] = 0.0
+        self._force[:] = self._torque[:] = 0.0
         self.say()
         return False
+
+    def _exchange_both(self, force: Float) -> DeviceReading:
+        return cast("TorqueDevice", self._device).exchange(force, self._torque)
 
 
 def _sentence(error: Exception) -> str:

@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import asdict, dataclass, field
+from math import isfinite
 from pathlib import Path
 from typing import Any, final
 
@@ -11,9 +12,12 @@ from cotouch.haptics._coupling import CouplingChoice
 from cotouch.haptics._ends import EndOptions
 from cotouch.haptics._limits import SafetyLimits
 from cotouch.haptics._registry import DeviceChoice, Option
+from cotouch.haptics._turning import ARM, at_arm
 
 # A servo that is told nothing else runs at the device's rate, but not above this [Hz].
 MOST_RATE = 1000.0
+# What is said of them counts for torques as well; a speed is that at the arm.
+_ALIKE = frozenset({"rise", "ramp", "fade_after", "zero_after", "speed", "heat"})
 
 
 @final
@@ -25,7 +29,7 @@ class ServoSettings:
         device: which one.
         folder: private one of the mailboxes.
         coupling: what was said of it.
-        limits: safety limits other than the default, by name; see `SafetyLimits`.
+        limits: safety limits other than the default, by name; see `SafetyLimits`; and `torque` [Nm].
         rate: of the servo; None: the device's, at most 1 kHz [Hz].
         allow_motion: whether the device may move by itself to calibrate.
         real_time: priority under SCHED_FIFO where it is permitted; None: do not ask.
@@ -64,13 +68,44 @@ class ServoSettings:
         """
         return self.coupling.options(spec, period=self.period(spec), force=self.safety(spec).force)
 
+    def turning_options(self, spec: DeviceSpec) -> EndOptions | None:
+        """The coupling of turning, for a device; None for one that renders no torque.
+
+        Raises:
+            DeviceError: as of `end_options`.
+        """
+        limits = self.turning_safety(spec)
+        torque = 0.0 if limits is None else ARM * limits.force
+        return self.coupling.turning(spec, period=self.period(spec), torque=torque)
+
     def safety(self, spec: DeviceSpec) -> SafetyLimits:
         """The limits, for a device.
 
         Raises:
             DeviceError: one of them is beyond what is safe.
         """
-        return SafetyLimits.of(spec, **self.limits)
+        return SafetyLimits.of(spec, **{name: value for name, value in self.limits.items() if name != "torque"})
+
+    def turning_safety(self, spec: DeviceSpec) -> SafetyLimits | None:
+        """The limits of torques, as of forces at the arm; None for a device that renders none.
+
+        Raises:
+            DeviceError: one of them is beyond what is safe.
+        """
+        torque = self.limits.get("torque")
+        if spec.torque <= 0.0:
+            if torque is not None:
+                raise DeviceError(f"the safety limit torque is {torque} Nm, but {spec.name} renders no torque")
+            return None
+        alike = {name: value for name, value in self.limits.items() if name in _ALIKE}
+        if torque is None:
+            return SafetyLimits.of(at_arm(spec), **alike)
+        if not (isfinite(torque) and 0.0 <= torque <= spec.torque):
+            raise DeviceError(
+                f"the safety limit torque is {torque:g} Nm; for this device it must be at least 0 and at most "
+                f"{spec.torque:g}"
+            )
+        return SafetyLimits.of(at_arm(spec), force=torque / ARM, **alike)
 
     def period(self, spec: DeviceSpec) -> float:
         """Of the servo [s].

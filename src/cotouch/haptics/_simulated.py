@@ -3,6 +3,7 @@
 import math
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from typing import final
 
 import numpy as np
@@ -22,12 +23,14 @@ from cotouch.device import (
 from cotouch.errors import DeviceError
 from cotouch.haptics._device import DeviceReading, Flag
 from cotouch.haptics._registry import Driver
+from cotouch.haptics._safety import ZERO, saturate, scaled, size
+from cotouch.haptics._wrist import ROUND, Wrist
 
 VARIANTS = ("phantom", "cartesian", "touch")
 # A clock that stood for so long moves the device by no more, so that a cycle stays short [s].
 _LONGEST = 0.05
-# The hand goes round: so far to the sides, and down to where things are touched, in so many seconds [m, s].
-_SWEEP, _ROUND = (0.01, 0.012, 0.03), 4.0
+# The hand goes round: so far to the sides, and down to where things are touched [m].
+_SWEEP = (0.01, 0.012, 0.03)
 _MOST_TURN = 3.0
 
 
@@ -66,12 +69,26 @@ def simulated_model(
     elif variant == "touch":
         plant = CartesianPlant(mass=spec.mass, viscous=viscous, coulomb=spec.friction)
     x, y, z = (sweep * far for far in _SWEEP)
-    led = SimulatedHand(path=(0.0, 0.0, 0.0), amplitude=(x, y, -z), frequency=1.0 / _ROUND) if hand else None
+    led = SimulatedHand(path=(0.0, 0.0, 0.0), amplitude=(x, y, -z), frequency=1.0 / ROUND) if hand else None
     return DeviceModel(
         plant=plant,
         servo=ServoModel(resolution=resolution, force=spec.force),
         coupling=Coupling(law="host_force"),
         hand=led,
+    )
+
+
+def with_wrist(spec: DeviceSpec) -> DeviceSpec:
+    """Limits of the same device if it rendered torques as a sigma.7 does."""
+    return replace(
+        spec,
+        name=f"{spec.name} with a wrist",
+        degrees_of_freedom=6,
+        actuated=6,
+        torque=0.2,
+        continuous_torque=0.2,
+        turning_stiffness=1.0,
+        turning_damping=0.07,
     )
 
 
@@ -88,17 +105,26 @@ class SimulatedOnClock:
     Attributes:
         spec: of the product that it stands for.
         device: the device behind; None before `open`. Its ledger knows what the motors really did.
+        wrist: its handle, if torques turn that; None before `open`, or where the hand alone turns it.
     """
 
     def __init__(
-        self, model: DeviceModel, spec: DeviceSpec, *, turn: float = 0.0, clock: Callable[[], float] = time.monotonic
+        self,
+        model: DeviceModel,
+        spec: DeviceSpec,
+        *,
+        turn: float = 0.0,
+        wrist: bool = False,
+        clock: Callable[[], float] = time.monotonic,
     ) -> None:
         """Prepares it.
 
         Args:
             model: with the law `commanded`.
             spec: that it says.
-            turn: how far its hand turns the handle to and fro about the upright; 0: it does not measure that [rad].
+            turn: how far its hand turns the handle to and fro about the upright; 0: it does not measure that, without
+                a wrist [rad].
+            wrist: whether it renders torques.
             clock: monotonic time [s].
 
         Raises:
@@ -106,8 +132,9 @@ class SimulatedOnClock:
         """
         if not 0.0 <= turn <= _MOST_TURN:
             raise DeviceError(f"turn is {turn:g} rad; it must be from 0 to {_MOST_TURN:g} rad")
-        self._turn = turn
-        self.spec = spec
+        self._turn, self._has_wrist = turn, wrist
+        self.spec = with_wrist(spec) if wrist else spec
+        self.wrist: Wrist | None = None
         self.device: SimulatedDevice | None = None
         self._model, self._clock = model, clock
         self._behind = 0.0  # the clock's time less the device's
@@ -117,6 +144,7 @@ class SimulatedOnClock:
         """Starts its time; compiles if this machine never did."""
         self.device = SimulatedDevice(self._model)
         self.device.advance(0.0)
+        self.wrist = Wrist(turn=self._turn, hand=self._model.hand is not None) if self._has_wrist else None
         self._behind = self._clock()
 
     def calibrate(self, *, allow_motion: bool) -> None:
@@ -130,8 +158,13 @@ class SimulatedOnClock:
         self._opened().command(force=(0.0, 0.0, 0.0))
         self._on = on
 
-    def exchange(self, force: Float) -> DeviceReading:
-        """Moves on to now under the force of before, measures, and holds the new force."""
+    def exchange(self, force: Float, torque: Float | None = None) -> DeviceReading:
+        """Moves on to now under the force and torque of before, measures, and holds the new ones.
+
+        Args:
+            force: on the hand [N].
+            torque: on the hand about the tip [Nm].
+        """
         device = self._opened()
         now = self._clock()
         ahead = now - self._behind - device.time
@@ -150,6 +183,7 @@ class SimulatedOnClock:
             raise DeviceError(f"force is {wanted.tolist()} N; it must be finite")
         device.command(force=wanted if self._on else (0.0, 0.0, 0.0))
         held = device.advance(device.time)  # no time passes; the motors take what of the force their torques allow
+        turned = self._turned(device.time, torque)
         flags = Flag.CALIBRATED if self._calibrated else Flag(0)
         if self._on:
             flags |= Flag.FORCE_ON | (Flag.LIMITED if held.limited else Flag(0))
@@ -159,7 +193,8 @@ class SimulatedOnClock:
             velocity=sample.velocity,
             force=held.force,
             flags=flags | Flag.HELD if self._model.hand is not None else flags,
-            orientation=self._orientation(device.time),
+            orientation=turned,
+            torque=None if self.wrist is None else np.array(self.wrist.torque),
         )
 
     def stop(self) -> None:
@@ -171,9 +206,20 @@ class SimulatedOnClock:
         self.stop()
         self.device = None
 
-    def _orientation(self, t: float) -> Float | None:
-        half = 0.5 * self._turn * math.sin(2.0 * math.pi * t / _ROUND)
-        return np.array([0.0, 0.0, math.sin(half), math.cos(half)]) if self._turn else None
+    def _turned(self, t: float, torque: Float | None) -> Float | None:
+        """Its orientation now; from here on it holds the new torque."""
+        wrist = self.wrist
+        if wrist is None:
+            return np.array(Wrist(turn=self._turn, hand=True).hand_turn(t)) if self._turn else None
+        if not self._on:
+            wrist.torque = ZERO
+        wrist.advance(t)
+        x, y, z = (0.0, 0.0, 0.0) if torque is None or not self._on else torque.tolist()
+        far = size((x, y, z))
+        if not math.isfinite(far):
+            raise DeviceError(f"torque is {[x, y, z]} Nm; it must be finite")
+        wrist.torque = scaled(saturate(far, self.spec.torque), (x, y, z))
+        return np.array(wrist.orientation)
 
     def _opened(self) -> SimulatedDevice:
         if self.device is None:
@@ -187,11 +233,17 @@ def _halt(**options: str | float | bool) -> None:
 
 
 def _make(
-    *, variant: str = "phantom", hand: bool = True, sweep: float = 1.0, viscous: float | None = None, turn: float = 0.0
+    *,
+    variant: str = "phantom",
+    hand: bool = True,
+    sweep: float = 1.0,
+    viscous: float | None = None,
+    turn: float = 0.0,
+    wrist: bool = False,
 ) -> SimulatedOnClock:
     friction = None if viscous is None else float(viscous)
     model = simulated_model(variant, hand=hand, sweep=float(sweep), viscous=friction)
-    return SimulatedOnClock(model, _spec(variant), turn=float(turn))
+    return SimulatedOnClock(model, _spec(variant), turn=float(turn), wrist=wrist is True)
 
 
 SIMULATED = Driver(
@@ -205,6 +257,7 @@ SIMULATED = Driver(
         "sweep": "how far the hand moves, a factor from 0 to 3",
         "viscous": "friction of a Touch or light mass, 0 to 20 Ns/m",
         "turn": "how far the hand turns its handle to and fro, 0 to 3 rad",
+        "wrist": "whether it renders torques: true or false",
     },
     halt=_halt,
     watchdog="It runs in the process that drives it, and ends with it.",

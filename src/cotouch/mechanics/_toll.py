@@ -70,7 +70,7 @@ def checked_toll(
     )
 
 
-def opening_energy(*, toll: float, stiffness: float, cap: float) -> float:
+def opening_energy(*, toll: float, stiffness: float, cap: float, force: float = _FORCE) -> float:
     """What the tank of each end begins with; counts once in the bound of passivity [J].
 
     Without any energy no held force does work that could be saved. A force F is held by a spring at each end, and the
@@ -81,5 +81,6 @@ def opening_energy(*, toll: float, stiffness: float, cap: float) -> float:
         toll: see `encoder_toll` [N].
         stiffness: k, >= 0 [N/m].
         cap: most that the account keeps [J].
+        force: of a firm hand [N].
     """
-    return min(cap, max(_LEAST, toll * _FREE_PATH, 0.5 * _FORCE**2 / max(stiffness, 1.0)))
+    return min(cap, max(_LEAST, toll * _FREE_PATH, 0.5 * force**2 / max(stiffness, 1.0)))

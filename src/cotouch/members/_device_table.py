@@ -29,6 +29,8 @@ class DeviceTable(Table):
         weight: more lets the device pay for old places, less the proxy; with "virtual" only.
         scale: metres of the body for each metre of the device, which feels so many times the force; "fit": as much as
             lets its workspace span the body.
+        turning_stiffness: of the spring to a rigid tool's orientation, for a device that renders torques [Nm/rad].
+        turning_damping: likewise [Nms/rad].
     """
 
     user: Numbered | None = None
@@ -41,6 +43,8 @@ class DeviceTable(Table):
     ages: NonNegative | None = None
     weight: Positive | None = None
     scale: Annotated[float, Field(ge=LEAST_SCALE, le=MOST_SCALE)] | Literal["fit"] | None = None
+    turning_stiffness: Positive | None = None
+    turning_damping: NonNegative | None = None
 
     @model_validator(mode="after")
     def _after(self) -> Self:
@@ -64,6 +68,8 @@ class DeviceTable(Table):
             ages=self.ages,
             weight=self.weight,
             scale=self.scale,
+            turning_stiffness=self.turning_stiffness,
+            turning_damping=self.turning_damping,
         )
 
 

@@ -15,7 +15,7 @@
 
 enum fault {
   NO_FAULT = 0, UNPLUGGED = 1, NOT_A_NUMBER = 2, FROZEN = 3, SLOW = 4, TAKEN_AWAY = 5, REFUSED = 6, SILENT = 7, SAFETY = 8,
-  TIME_GUARD = 18
+  TIME_GUARD = 18, STUCK = 19, BENT = 20
 };
 
 struct board {
@@ -48,7 +48,24 @@ struct board {
   int32_t force_button;/* 268 of the force button: odd while it keeps forces away */
   int32_t emulated;    /* 272 a closed gripper counts as a button */
   int32_t offset;      /* 276 what drdOpenID returns beyond the index */
+  double torque[3];    /* 280 that the host commanded [Nm] */
+  double twist[3];     /* 304 torque that the motors have [Nm] */
+  double max_torque;   /* 328 that the host allowed [Nm] */
+  int32_t wrist;       /* 336 it has motors that turn the handle */
+  int32_t unused;      /* 340 */
+  double turned[4];    /* 344 orientation of the handle, xyzw */
+  double spin[3];      /* 376 its angular velocity [rad/s] */
 };
+
+/* The rotation of the handle, by rows. */
+static inline void rotation(volatile struct board *b, double m[9]) {
+  double x = b->turned[0], y = b->turned[1], z = b->turned[2], w = b->turned[3];
+  double r[9] = {
+    1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w),
+    2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w),
+    2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)};
+  memcpy(m, r, sizeof r);
+}
 
 static double now(void) {
   struct timespec t;

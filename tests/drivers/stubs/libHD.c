@@ -11,7 +11,7 @@ typedef HDCallbackCode (*HDSchedulerCallback)(void *);
 static volatile struct board *b;
 static HDErrorInfo errors[16];
 static int count, framed, running, ran;
-static double force[3], held[3], moving[3];
+static double force[3], torque[3], held[3], moving[3];
 static HDSchedulerCallback callback;
 static void *data;
 static pthread_t thread;
@@ -46,7 +46,7 @@ void hdEnable(HDenum what) {
   if (what >= 0x4001 && what <= 0x4003) b->protect |= 1 << (what - 0x4001);
   if (what != 0x4000) return;
   if (b->protect != 7) violated(b, "hdEnable: force without clamping, ramping, limit");
-  for (int a = 0; a < 3; a++) b->force[a] = 0.0;
+  for (int a = 0; a < 3; a++) b->force[a] = b->torque[a] = 0.0;
   b->commanded = now();
   b->enabled = 1;
 }
@@ -64,7 +64,7 @@ void hdEndFrame(HHD device) {
   framed = 0;
   if (faulty(b, SAFETY)) raise_error((HDerror)b->value);
   if (faulty(b, UNPLUGGED)) { raise_error(0x0302); return; }
-  for (int a = 0; a < 3; a++) b->force[a] = force[a];
+  for (int a = 0; a < 3; a++) { b->force[a] = force[a]; b->torque[a] = 1e-3 * torque[a]; } /* which stays unless set */
   b->commanded = now();
   b->sets++;
 }
@@ -85,6 +85,12 @@ void hdGetDoublev(HDenum what, double *out) {
     case 0x2052:
       memset(out, 0, 16 * sizeof(double));
       out[0] = out[5] = out[10] = out[15] = 1.0;
+      if (b->wrist) {
+        double m[9];
+        rotation(b, m);
+        for (int a = 0; a < 9; a++) out[a % 3 * 4 + a / 3] = m[a];
+      }
+      if (faulty(b, BENT)) out[5] = NAN;
       break;
     case 0x2551: {
       double box[6] = {-80, -50, -35, 80, 70, 35};
@@ -93,19 +99,22 @@ void hdGetDoublev(HDenum what, double *out) {
     }
     case 0x2603: out[0] = 3.3; break;
     case 0x2604: out[0] = 0.88; break;
+    case 0x2622: out[0] = b->wrist ? 515.0 : 0.0; break;
+    case 0x2623: out[0] = b->wrist ? 40.0 : 0.0; break;
     default: raise_error(0x0100);
   }
 }
 void hdGetIntegerv(HDenum what, int *out) {
   if (what == 0x2000) *out = b->buttons;
+  else if (what == 0x2554) *out = b->wrist ? 6 : 3;
   else if (what == 0x2555) *out = b->styles ? b->styles : 4;
   else raise_error(0x0100);
 }
 void hdSetDoublev(HDenum what, const double *in) {
-  if (what != 0x2700) { raise_error(0x0100); return; }
+  if (what != 0x2700 && !(what == 0x2701 && b->wrist)) { raise_error(0x0100); return; }
   if (!framed) { violated(b, "hdSetDoublev: no frame"); raise_error(0x0402); return; }
   if (!isfinite(in[0] + in[1] + in[2])) { violated(b, "hdSetDoublev: not a number"); raise_error(0x0101); return; }
-  for (int a = 0; a < 3; a++) force[a] = in[a];
+  for (int a = 0; a < 3; a++) { if (what == 0x2700) force[a] = in[a]; else torque[a] = in[a]; }
 }
 
 HDenum hdCheckCalibration(void) {

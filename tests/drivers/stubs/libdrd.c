@@ -7,7 +7,7 @@
 static volatile struct board *b;
 static int expert;
 static const char *last = "no error";
-static double held[3], moving[3];
+static double held[3], moving[3], frame[9], spinning[3];
 
 static volatile struct board *device(void) { return b; }
 
@@ -46,7 +46,7 @@ int drdClose(char ID) {
   if (!device() || !b->open || ID != b->offset) { violated(b, "drdClose"); last = "invalid device"; return -1; }
   b->open = 0;
   b->enabled = 0;
-  for (int a = 0; a < 3; a++) b->force[a] = 0.0;
+  for (int a = 0; a < 3; a++) b->force[a] = b->torque[a] = 0.0;
   return 0;
 }
 
@@ -114,7 +114,7 @@ int dhdEmulateButton(unsigned char val, char ID) {
 }
 int dhdEnableForce(unsigned char val, char ID) {
   if (reach(ID, "dhdEnableForce")) return -1;
-  if (val) { for (int a = 0; a < 3; a++) b->force[a] = 0.0; b->commanded = now(); b->cause = 0; }
+  if (val) { for (int a = 0; a < 3; a++) b->force[a] = b->torque[a] = 0.0; b->commanded = now(); b->cause = 0; }
   b->enabled = val ? 1 : 0;
   return 0;
 }
@@ -146,7 +146,29 @@ int dhdGetLinearVelocity(double *vx, double *vy, double *vz, char ID) {
   }
   return 0;
 }
-int dhdSetForce(double fx, double fy, double fz, char ID) {
+bool dhdHasActiveWrist(char ID) { return reach(ID, "dhdHasActiveWrist") ? false : b->wrist; }
+int dhdGetOrientationFrame(double *matrix, char ID) {
+  if (reach(ID, "dhdGetOrientationFrame")) return -1;
+  if (!faulty(b, FROZEN) && !faulty(b, STUCK)) rotation(b, frame);
+  memcpy(matrix, frame, sizeof frame);
+  if (faulty(b, BENT)) matrix[4] = NAN;
+  return 0;
+}
+int dhdGetAngularVelocityRad(double *wx, double *wy, double *wz, char ID) {
+  if (reach(ID, "dhdGetAngularVelocityRad")) return -1;
+  double *out[3] = {wx, wy, wz};
+  for (int a = 0; a < 3; a++) {
+    if (!faulty(b, FROZEN)) spinning[a] = b->spin[a];
+    *out[a] = spinning[a];
+  }
+  return 0;
+}
+int dhdSetMaxTorque(double t, char ID) {
+  if (reach(ID, "dhdSetMaxTorque")) return -1;
+  b->max_torque = t;
+  return 0;
+}
+int dhdSetForce(double fx, double fy, double fz, char ID) { /* what torque there is stays */
   if (reach(ID, "dhdSetForce")) return -1;
   if (faulty(b, SAFETY)) { last = "redundant encoders disagree"; return -1; }
   double f[3] = {fx, fy, fz}, size = sqrt(fx * fx + fy * fy + fz * fz);
@@ -157,6 +179,22 @@ int dhdSetForce(double fx, double fy, double fz, char ID) {
   b->sets++;
   b->pushes += size > 0.0;
   return share < 1.0 ? 2 : 0;
+}
+int dhdSetForceAndTorque(double fx, double fy, double fz, double tx, double ty, double tz, char ID) {
+  int code = dhdSetForce(fx, fy, fz, ID);
+  if (code < 0) return -1;
+  double t[3] = {tx, ty, tz}, size = sqrt(tx * tx + ty * ty + tz * tz);
+  if (!isfinite(size)) { violated(b, "dhdSetForceAndTorque: not a number"); last = "invalid parameter"; return -1; }
+  if (!b->wrist) violated(b, "dhdSetForceAndTorque: no wrist");
+  double share = b->max_torque > 0.0 && size > b->max_torque ? b->max_torque / size : 1.0;
+  for (int a = 0; a < 3; a++) b->torque[a] = share * t[a];
+  return share < 1.0 ? 2 : code;
+}
+int dhdGetForceAndTorque(double *fx, double *fy, double *fz, double *tx, double *ty, double *tz, char ID) {
+  if (reach(ID, "dhdGetForceAndTorque")) return -1;
+  *fx = b->force[0]; *fy = b->force[1]; *fz = b->force[2];
+  *tx = b->torque[0]; *ty = b->torque[1]; *tz = b->torque[2];
+  return 0;
 }
 int dhdGetForce(double *fx, double *fy, double *fz, char ID) {
   if (reach(ID, "dhdGetForce")) return -1;

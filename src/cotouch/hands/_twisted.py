@@ -1,0 +1,60 @@
+"""A rigid tool that is turned by a device which renders torques: the hand feels what turns it."""
+
+from typing import final
+
+from cotouch.hands._grasped_tool import GraspedTool
+from cotouch.haptics import EndOptions, Quaternion, ServoReport, TurningProxyEnd, Vector, back, product
+from cotouch.mechanics import EnergyMessage
+
+_STILL: Vector = (0.0, 0.0, 0.0)
+
+
+@final
+class Twisted:
+    """The proxy's end of the coupling of turning. A scale does not matter to it: angles and torques have none.
+
+    Attributes:
+        orientation: of the tool, in the device's frame; None: the device was never heard.
+    """
+
+    def __init__(self, tool: GraspedTool, options: EndOptions) -> None:
+        """Relaxed; where a device is heard first, nothing turns the tool.
+
+        Args:
+            tool: that it turns.
+            options: of the coupling, as for places at the arm.
+        """
+        self.orientation: Quaternion | None = None
+        self._tool, self._end = tool, TurningProxyEnd(options)
+        self._frame: Quaternion | None = None  # from the device's orientation to the tool's
+        self._heard = EnergyMessage()
+
+    @property
+    def message(self) -> EnergyMessage:
+        """For the device's end."""
+        return self._end.message
+
+    @property
+    def work(self) -> float:
+        """That turned the tool so far [J]."""
+        return self._end.work
+
+    def before(self, report: ServoReport | None, T: float) -> None:
+        """Turns the tool towards the device in the coming step.
+
+        Args:
+            report: the newest of the device; None: nothing is known.
+            T: length of the step [s].
+        """
+        here, goal, spin = self._tool.orientation(), None, _STILL
+        if report is not None and report.orientation is not None:
+            if self._frame is None:
+                self._frame = product(back(report.orientation), here)
+            goal, spin, self._heard = product(report.orientation, self._frame), report.spin, report.twist
+        self._tool.twist(self._end.twist(here, goal, spin, self._heard, T))
+
+    def after(self) -> None:
+        """Books the step."""
+        self._end.settle(self._tool.twisted())
+        if self._frame is not None:
+            self.orientation = product(self._tool.orientation(), back(self._frame))
