@@ -147,9 +147,8 @@ def plausible(name: str, matrix: sp.csr_array) -> None:
     own = matrix.diagonal()
     coo = matrix.tocoo()
     slack = _ROUND_OFF * float(np.abs(own).max(initial=0.0))
-    bad = np.flatnonzero(
-        (own < -slack)[coo.row] | (coo.data**2 > (np.abs(own[coo.row]) + slack) * (np.abs(own[coo.col]) + slack))
-    )
+    root = np.sqrt(np.abs(own) + slack)  # whose products stay finite where those of the entries would not
+    bad = np.flatnonzero((own < -slack)[coo.row] | (np.abs(coo.data) > root[coo.row] * root[coo.col]))
     if bad.size:
         i, j = int(coo.row[bad[0]]), int(coo.col[bad[0]])
         raise BodyError(

@@ -74,7 +74,8 @@ def relief_on(
     cells = np.maximum(np.ceil(longest / spacing), 1.0)
     if smooth is not None:
         cells[smooth] = 1.0
-    points = float((cells**2).sum())
+    with np.errstate(over="ignore"):  # infinitely many are too many as well
+        points = float((cells**2).sum())
     if points > most:
         raise BodyError(f"the relief needs {points:.3g} points on this skin; at most {most:.3g} are possible")
     normal = np.zeros(place.shape)
