@@ -8,7 +8,7 @@ import scipy.sparse as sp
 
 from cotouch import BodyError
 from cotouch.body._checks import plausible
-from cotouch.mechanics._contact_relief import relief_on
+from cotouch.mechanics import relief_on
 
 
 def test_minors_of_huge_entries_are_compared_without_overflow() -> None:
