@@ -121,10 +121,6 @@ def main(options: Sequence[str]) -> int:
     workers = max(2, len(os.sched_getaffinity(0)))
     # What pytest makes of each file is kept then: nine processes would make it anew, for eight seconds each.
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
-    # Memory that is freed stays with the process: else glibc gives it back and asks for it again, page by page, which
-    # takes a tenth of the time of what computes.
-    for name, size in (("TRIM", 1 << 28), ("MMAP", 1 << 25)):
-        os.environ.setdefault(f"MALLOC_{name}_THRESHOLD_", str(size))
     with none_left():
         collect = subprocess.Popen(
             [*pytest, "--collect-only", "--warm"],
