@@ -200,9 +200,9 @@ HAND = OriginForce(force="w", integral="P", double="Q", stiffness="k", damping="
         ({"seed": "sed"}, 'declares the seed "sed", which is not one of its parameters'),
         ({"energies": ("E",)}, 'declares "E", which is not one of the numbers that it sends'),
         ({"sums": ("w", "no")}, 'declares the sum "no", which is not one of the fields that it sends'),
-        ({"hand": replace(HAND, force="P")}, 'declares "P" of a hand, which is not a field that is no sum'),
-        ({"hand": replace(HAND, double="w")}, 'declares "w" of a hand, which is not a sum'),
-        ({"hand": replace(HAND, plain="w")}, 'declares "w" of a hand, which is not a number'),
+        ({"origin_force": replace(HAND, force="P")}, 'declares "P" of a hand, which is not a field that is no sum'),
+        ({"origin_force": replace(HAND, double="w")}, 'declares "w" of a hand, which is not a sum'),
+        ({"origin_force": replace(HAND, plain="w")}, 'declares "w" of a hand, which is not a number'),
     ],
 )
 def test_a_law_that_declares_what_it_has_not_is_one_sentence(declared: dict[str, Any], sentence: str) -> None:

@@ -1,5 +1,6 @@
 """What a skin does besides pushing: it draws a tool that is near, and a relief on it is felt."""
 
+import warnings
 from collections.abc import Callable
 from math import pi, sqrt
 
@@ -256,3 +257,11 @@ def test_sliding_over_ridges_swings_at_speed_over_wavelength(friction: float) ->
     assert -slid[:, 0].mean() == pytest.approx(friction * slid[:, 2].mean(), rel=0.03, abs=0.003 * slid[:, 2].mean())
     assert copy.touch_ledger[TOUCH_LOSS] >= 0.0
     assert copy.residual <= 1e-13 * copy.in_play
+
+
+def test_a_relief_too_fine_to_count_is_refused_without_a_warning() -> None:
+    place = np.eye(3)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(BodyError, match="points on this skin"):
+            relief_on(place, np.array([[0, 1, 2]]), lambda where, _: where[:, 0], spacing=1e-300, most=2_000_000)

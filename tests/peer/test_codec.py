@@ -79,8 +79,9 @@ def energies(rng: np.random.Generator, law: Law) -> Told:
         if rng.random() < 0.05:
             steady[:] = rng.normal(0, 1.0, steady.shape)
         fields[...] += T * steady
-        if law.hand is not None:  # its integrals follow from it
-            fields[[law.sends.index(name) for name in (law.hand.force, law.hand.integral, law.hand.double)]] = 0.0
+        if law.origin_force is not None:  # its integrals follow from it
+            hand = law.origin_force
+            fields[[law.sends.index(name) for name in (hand.force, hand.integral, hand.double)]] = 0.0
         numbers[own] += T * rng.uniform(0.0, 0.02, len(own)) * (rng.random() < 0.9)
         if rng.random() < 0.3:  # just below a step of the quantum, where a quotient is rounded up
             numbers[own] = np.nextafter(np.ceil(numbers[own] / QUANTUM) * QUANTUM, 0.0)

@@ -168,8 +168,8 @@ class Law:
         length: of the numbers in a message, the length of the sender's step, which any sample says; None: none is.
         counts: of the numbers in a message, those that tell one thing from another, so that none is near enough to the
             next; a codec says them exactly.
-        hand: of a message, the force that depends on where the origin is; a codec judges it by what it is where the
-            copy is. None: there is none.
+        origin_force: of a message, the force that depends on where the origin is; a codec judges it by what it is
+            where the copy is. None: there is none.
         store: of the numbers that the ends of a copy share, the energy that they hold and what they should hold; None:
             they share none.
     """
@@ -199,7 +199,7 @@ class Law:
     energies: tuple[str, ...] = ()
     length: str | None = None
     counts: tuple[str, ...] = ()
-    hand: OriginForce | None = None
+    origin_force: OriginForce | None = None
     store: tuple[str, str] | None = None
     _parts: list[Part] = field(default_factory=list[Part], repr=False, compare=False)
 
@@ -227,7 +227,7 @@ class Law:
     @property
     def signature(self) -> str:
         """Tells it from another law of the same name: what messages hold, what parameters it takes."""
-        held = self.sends, self.sends_scalars, self.sums, self.energies, self.length, self.counts, self.hand
+        held = self.sends, self.sends_scalars, self.sums, self.energies, self.length, self.counts, self.origin_force
         said = (*held, [known.name for known in self.parameters])
         return f"{self.name} {sha256(repr(said).encode()).hexdigest()[:16]}"
 
@@ -301,13 +301,13 @@ def register(law: Law) -> Law:
         raise NetworkError(f'law "{law.name}" declares "{name}", which is not one of the numbers that it sends')
     for name in set(law.sums) - set(law.sends):
         raise NetworkError(f'law "{law.name}" declares the sum "{name}", which is not one of the fields that it sends')
-    if law.hand is not None:
-        _check_hand(law, law.hand)
+    if law.origin_force is not None:
+        _check_origin_force(law, law.origin_force)
     _KNOWN[law.name] = law
     return law
 
 
-def _check_hand(law: Law, hand: OriginForce) -> None:
+def _check_origin_force(law: Law, hand: OriginForce) -> None:
     coarse = [law.sends[nth] for nth in law.coarse]
     for name, among, what in (
         (hand.force, coarse, "a field that is no sum"),

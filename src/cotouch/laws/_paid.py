@@ -366,7 +366,7 @@ PAID = register(
         energies=("E_out", "given"),
         length="T",
         counts=("epoch", "hands", "as one"),
-        hand=OriginForce(force="w", integral="P", double="Q", stiffness="k", damping="b", plain="as one"),
+        origin_force=OriginForce(force="w", integral="P", double="Q", stiffness="k", damping="b", plain="as one"),
         store=("account", "level"),
         feels=True,
         seed="seed",

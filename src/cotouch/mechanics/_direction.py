@@ -8,6 +8,7 @@ from cotouch.mechanics._direction_missing import (
     lack_ports,
     miss,
     move_whole,
+    resisted,
     stiffen,
     take_port,
 )
@@ -161,10 +162,7 @@ def level(
         for p in range(ports.row.shape[0]):
             take_port(ports, parts, p, at(work.port_gain, p), work)
     for i in range(op.mass.shape[0]):
-        b, own = at(parts.part, i), at(work.diagonal, i)
-        for family in range(op.entries.shape[0]):
-            for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
-                own += work.scale[family] * at(op.entries, (family, e))
+        b, own = at(parts.part, i), resisted(op, i, work)
         put(parts.sums, (b, 0), at(parts.sums, (b, 0)) + own)
         for a in range(3):
             put(parts.sums, (b, 1 + a), at(parts.sums, (b, 1 + a)) + at(work.rhs, (i, a)))

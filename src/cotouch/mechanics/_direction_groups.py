@@ -6,7 +6,7 @@ from cotouch.arrays import Float
 from cotouch.mechanics._balance_groups import CENTRE, MASS, MOMENTUM, MOVING, OPEN, is_tied
 from cotouch.mechanics._balance_length import keep_groups
 from cotouch.mechanics._direction import predict
-from cotouch.mechanics._direction_missing import miss, take_port
+from cotouch.mechanics._direction_missing import miss, resisted, take_port
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Parts
@@ -80,10 +80,7 @@ def _gather(op: Operator, parts: Parts, work: Workspace) -> None:
         if group != b:  # what ports resist
             put(parts.sums, (group, MASS), at(parts.sums, (group, MASS)) + own)
     for i in range(op.mass.shape[0]):
-        group, own = at(parts.met.group, at(parts.part, i)), at(work.diagonal, i)
-        for family in range(op.entries.shape[0]):
-            for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
-                own += work.scale[family] * at(op.entries, (family, e))
+        group, own = at(parts.met.group, at(parts.part, i)), resisted(op, i, work)
         put(parts.sums, (group, MASS), at(parts.sums, (group, MASS)) + own)
         for a in range(3):
             lacks = at(parts.sums, (group, MOMENTUM + a)) + at(work.rhs, (i, a))

@@ -161,6 +161,16 @@ def miss(op: Operator, diagonal: Float, rhs: Float, work: Workspace, out: Float,
         store(out, i, left, lanes)
 
 
+@inner
+def resisted(op: Operator, i: int, work: Workspace) -> float:
+    """Sum of a row of A: what resists there that a body moves as a whole [Ns/m]."""
+    own = at(work.diagonal, i)
+    for family in range(op.entries.shape[0]):
+        for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
+            own += work.scale[family] * at(op.entries, (family, e))
+    return own
+
+
 @part
 def take_port(ports: Ports, parts: Parts | None, p: int, gain: float, work: Workspace) -> None:
     """Takes off a right-hand side what a port that holds many rows resists, and notes how it resists each body."""

@@ -115,8 +115,16 @@ class ContentForm:
         self.others = np.array(others, dtype=np.int64)
         self.counts = np.array([told.index(name) for name in law.counts], dtype=np.int64)
         self._order = np.concatenate([self.sums, self.values])
-        self._hand = None if law.hand is None else _Hand(law.hand, law)
-        self.rated = self.sums if self._hand is None else self.sums[self.sums != self._hand.double]
+        self._hand = None if law.origin_force is None else _Hand(law.origin_force, law)
+        # Of the sums, those with a rate; and, of a hand, where its integrals are among these, its force among values.
+        self._with_rate = np.ones(self.sums.size, dtype=np.bool_)
+        if self._hand is not None:
+            self._with_rate = self.sums != self._hand.double
+            self._once, self._twice = (
+                int(np.flatnonzero(self.sums == field)[0]) for field in (self._hand.integral, self._hand.double)
+            )
+            self._force = int(np.flatnonzero(self.values == self._hand.force)[0])
+        self.rated = self.sums[self._with_rate]
 
     def size(self, kind: int, elements: int) -> int:
         """Bytes of a content.
@@ -264,12 +272,11 @@ class ContentForm:
             passed: since then [s].
         """
         grown, values = np.zeros(self.sums.size), norms(content.fields[self.values])
-        grown[np.isin(self.sums, self.rated)] = norms(content.rates * passed)
+        grown[self._with_rate] = norms(content.rates * passed)
         if self._hand is not None:
             felt = self._hand.felt(content)
-            values[self.values == self._hand.force] = felt
-            grown[self.sums == self._hand.integral] = passed * felt
-            grown[self.sums == self._hand.double] = 0.5 * passed * passed * felt
+            values[self._force] = felt
+            grown[self._once], grown[self._twice] = passed * felt, 0.5 * passed * passed * felt
         return grown, values
 
 
