@@ -29,6 +29,7 @@ from cotouch.laws._paid_fields import (
     ALL_P,
     ALL_Q,
     ALL_W,
+    AS_ONE,
     BACK,
     BETA,
     BRAKE,
@@ -71,6 +72,7 @@ from cotouch.laws._paid_fields import (
     SEED,
     SPAN,
     STAMP,
+    TELLS,
     TIME,
     UNHEARD,
     WAVE_IN,
@@ -125,7 +127,7 @@ def _before(end: End) -> None:
             end.memory[WAVE_IN, i] = end.memory[WAVE_OUT, i] = 0.5 * root * x[i]
     power = receive_wave(end, 1.0 / span if heard else 0.0)
     most = max(told[M_E] - kept[E_IN], 0.0)
-    fraction = sqrt(most / (power * T)) if power * T > most else 1.0
+    fraction = sqrt(most / (power * span)) if power * span > most else 1.0
     push = root * sqrt(2.0 * power)
     if fraction * push > p[FORCE_LIMIT]:
         fraction = p[FORCE_LIMIT] / push
@@ -192,12 +194,21 @@ def _before(end: End) -> None:
             told[M_HANDS],
         )
         check_guess(end, when, passed, lag, fresh)
-        bring_hand(end, known)
+        told_of = bring_hand(end, known)
         # The same at both ends, or what draws copies together would push on both.
         both = 0.5 * (mean + told[M_AGE]) if told[M_AGE] > 0.0 else mean
+        # The end that tells of hands is ahead of one that tells of none and hears of them `early` late. Drawn together
+        # without that, a hand would feel drag.
+        behind = 0.0
+        if not as_one and numbers[AS_ONE] == 0.0 and (kept[TELLS] > 0.0) != told_of:
+            if told_of:
+                behind = max(early, 0.0)
+            else:
+                before, after, share, gap = past(end, when - max(0.25 * told[M_AGE] - 0.5 * theirs, 0.0))
+                then = between(before, after, share, gap)
         gain = p[MASS] / end.copies
         part = believed(end)
-        force = sqrt(wish(end, then, gain * p[GK] / (both * both), gain * p[GD] / both, trust, part))
+        force = sqrt(wish(end, then, gain * p[GK] / (both * both), gain * p[GD] / both, trust, part, behind))
         add_wish(end, left / force if force > left else 1.0, trust * part)
         if p[RELAY] > 0.0 and trust > 0.0 and credible(end, told):
             kept[PART_K], kept[PART_B], kept[PART_HANDS] = told[M_K], told[M_B], told[M_HANDS]
@@ -320,7 +331,7 @@ PAID = register(
         keeps_scalars=(
             *("E_in", "E_out", "age", "credited", "given", "epoch", "horizon", "stamp", "span"),
             *("part k", "part b", "part epoch", "part hands", "told epoch", "since", "rounds", "part grasped"),
-            *("checked", "right", "guessed", "settled"),
+            *("checked", "right", "guessed", "settled", "tells"),
             *(f"evenly {axis}" for axis in range(4)),
         ),
         fractions=(

@@ -15,8 +15,8 @@ WAVE_IN, WAVE_OUT, WAVE, A, A2, WISHED, W_LAST, SLOPE, PART_W, STRETCH, SUM, SUM
 SUM_THERE, SUM2_THERE, PART_P, PART_Q, ALIVE = range(14, 19)
 E_IN, E_OUT, AGE, CREDITED, GIVEN, KNOWN, HORIZON, STAMP, SPAN = range(9)
 PART_K, PART_B, PART_EPOCH, PART_HANDS, TOLD_EPOCH, SINCE, ROUNDS, PART_GRASPED = range(9, 17)
-CHECKED, RIGHT, GUESSED, SETTLED = range(17, 21)
-EVENLY = 21  # and one for each other axis
+CHECKED, RIGHT, GUESSED, SETTLED, TELLS = range(17, 22)
+EVENLY = 22  # and one for each other axis
 # What was done to the copy by a hand is kept at every so many of the times at which its past is kept.
 LOG, EACH = 19, 4
 LOGGED = KEPT // EACH

@@ -142,7 +142,7 @@ class Heard(NamedTuple):
 
 
 @helper
-def _bring_hand(end: End, h: Heard, first: int, last: int, lanes: tuple[int, ...]) -> None:
+def _bring_hand(end: End, h: Heard, first: int, last: int, lanes: tuple[int, ...]) -> float:
     T, x, v, own_told, got = end.T, end.position, end.velocity, end.shared[TOLD], end.received
     w_there, p_there, q_there = got[M_W], got[M_P], got[M_Q]
     memory, slopes, w_last, stretch = end.memory, end.memory[SLOPE], end.memory[W_LAST], end.memory[STRETCH]
@@ -155,10 +155,12 @@ def _bring_hand(end: End, h: Heard, first: int, last: int, lanes: tuple[int, ...
         memory[PART_Q],
     )
     ahead, shift, back, nothing = h.ahead, h.shift, h.back, splat(0.0, lanes)
+    told = 0.0
     for r in range(first, last):
         w_now, p, q = load(w_there, r, lanes), load(p_there, r, lanes), load(q_there, r, lanes)
         mine = load(own_told, r, lanes)
         acts = total(size(w_now) + size(p) + size(q))
+        told += acts
         rests = acts + total(size(mine) + load(alive, r, lanes)) == 0.0
         pulled = load(stretch, r, lanes) if h.as_one else nothing
         if rests and not h.taken and total(size(pulled)) == 0.0:
@@ -217,19 +219,22 @@ def _bring_hand(end: End, h: Heard, first: int, last: int, lanes: tuple[int, ...
         store(part_w, r, w, lanes)
         store(part_p, r, more, lanes)
         store(part_q, r, more2, lanes)
+    return told
 
 
 @helper
-def bring_hand(end: End, h: Heard) -> None:
+def bring_hand(end: End, h: Heard) -> bool:
     """What the neighbour's hand would do here and now, from the integrals of its force.
 
     Args:
         end: of the link.
         h: what is done with it.
+
+    Returns:
+        Whether there is any.
     """
     n = end.position.shape[0]
-    _bring_hand(end, h, 0, n // 4, FOUR)
-    _bring_hand(end, h, n // 4 * 4, n, ONE)
+    return _bring_hand(end, h, 0, n // 4, FOUR) + _bring_hand(end, h, n // 4 * 4, n, ONE) > 0.0
 
 
 @helper
@@ -240,6 +245,7 @@ def _wish(
     damp: float,
     trust: float,
     part: float,
+    behind: float,
     first: int,
     last: int,
     lanes: tuple[int, ...],
@@ -253,7 +259,8 @@ def _wish(
         way = load(ys, r, lanes) - x
         x_then = x + then.to_y * way + then.by_v * v + then.by_u * u
         v_then = then.v_y * way + then.v_v * v + then.v_u * u
-        wish = pull * (load(sample, r, lanes) - x_then) + damp * (load(v_there, r, lanes) - v_then)
+        v_now = load(v_there, r, lanes)
+        wish = pull * (load(sample, r, lanes) - behind * v_now - x_then) + damp * (v_now - v_then)
         hand, w = load(hands, r, lanes), load(weight, r, lanes)
         if total(size(hand)) != 0.0:
             wish = wish + where(w, each * hand / w, splat(0.0, lanes))  # links do not know of tools
@@ -264,7 +271,7 @@ def _wish(
 
 
 @helper
-def wish(end: End, then: Then, pull: float, damp: float, trust: float, part: float) -> float:
+def wish(end: End, then: Then, pull: float, damp: float, trust: float, part: float, behind: float) -> float:
     """What the link wishes: its share of the hand's force, and what draws the copies together; gives its ‖·‖²_W [N²].
 
     Args:
@@ -274,10 +281,11 @@ def wish(end: End, then: Then, pull: float, damp: float, trust: float, part: flo
         damp: N for a metre a second.
         trust: from 0 to 1, less for a sample that is too old.
         part: from 0 to 1, of the hand's force, less where guesses of it were wrong.
+        behind: by how much this copy is to come behind the neighbour's [s].
     """
     n = end.position.shape[0]
-    fours = _wish(end, then, pull, damp, trust, part, 0, n // 4, FOUR)
-    return fours + _wish(end, then, pull, damp, trust, part, n // 4 * 4, n, ONE)
+    fours = _wish(end, then, pull, damp, trust, part, behind, 0, n // 4, FOUR)
+    return fours + _wish(end, then, pull, damp, trust, part, behind, n // 4 * 4, n, ONE)
 
 
 @helper

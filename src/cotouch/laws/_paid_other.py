@@ -65,6 +65,7 @@ from cotouch.laws._paid_fields import (
     STIFFEST,
     SUM,
     SUM2,
+    TELLS,
     TIME,
     TIMES,
     TOLD,
@@ -201,13 +202,13 @@ def _greatest(end: End, first: int, last: int, lanes: tuple[int, ...]) -> float:
 @helper
 def _tell_sums(
     end: End, renewed: bool, span: float, share: float, mine: float, first: int, last: int, lanes: tuple[int, ...]
-) -> None:
+) -> float:
     T, own, memory, sent, mean = end.T, end.shared, end.memory, end.sent, end.mean
     w_own, ways, first_sum, second_sum = own[W], own[WAY], memory[SUM], memory[SUM2]
     all_w, all_p, all_q = own[ALL_W], own[ALL_P], own[ALL_Q]
     part_w, part_p, part_q = memory[PART_W], memory[PART_P], memory[PART_Q]
     w_sent, p_sent, q_sent, v_sent, way_sent = sent[M_W], sent[M_P], sent[M_Q], sent[M_V], sent[M_WAY]
-    p_more, q_more = splat(0.0, lanes), splat(0.0, lanes)
+    p_more, q_more, told = splat(0.0, lanes), splat(0.0, lanes), splat(0.0, lanes)
     for r in range(first, last):
         acts, p, q = load(w_own, r, lanes), load(first_sum, r, lanes), load(second_sum, r, lanes)
         w = acts
@@ -230,6 +231,8 @@ def _tell_sums(
         store(q_sent, r, q, lanes)
         store(v_sent, r, load(mean, r, lanes), lanes)
         store(way_sent, r, load(ways, r, lanes), lanes)
+        told = told + size(w) + size(p) + size(q)
+    return total(told)
 
 
 @helper
@@ -282,8 +285,8 @@ def tell(end: End) -> None:
         kept[SINCE] += T
     count = int(numbers[COUNT]) - 1
     logs = count % EACH == 0 and numbers[TIMES + count % KEPT] == numbers[TIME] - 0.5 * T
-    _tell_sums(end, renewed, span, share, mine, 0, n // 4, FOUR)
-    _tell_sums(end, renewed, span, share, mine, n // 4 * 4, n, ONE)
+    kept[TELLS] = _tell_sums(end, renewed, span, share, mine, 0, n // 4, FOUR)
+    kept[TELLS] += _tell_sums(end, renewed, span, share, mine, n // 4 * 4, n, ONE)
     log = count // EACH % LOGGED if logs else -1
     _note_done(end, log, 0, n // 4, FOUR)
     _note_done(end, log, n // 4 * 4, n, ONE)
