@@ -120,7 +120,7 @@ def felt_words(known: "Sequence[Status]") -> str:
     said = [] if found.on_the_way is None else [f"{1e3 * found.on_the_way:.3g} mJ on its way"]
     values = (("measured", found.measured), ("predicted", found.predicted))
     drags = [f"{value:.2f} Ns/m {name}" for name, value in values if value is not None]
-    said.append(f"felt drag {' and '.join(drags)}" if drags else "felt drag unknown until the object moves")
+    said.append(f"felt drag {' and '.join(drags)}" if drags else "felt drag not known yet")
     return f"Law {found.law}: {'; '.join(said)} (people notice {NOTICED_DRAG:.1f} Ns/m)."
 
 

@@ -32,7 +32,8 @@ class Felt:
         on_the_way: what ends gave to others that these did not take yet; None: the law exchanges no energy [J].
         measured: drag of the last seconds, over the identity weight: of a point the drag that its hand feels, of other
             bodies that at each node; None: the copies hardly moved [Ns/m].
-        predicted: likewise of copies that move evenly together, with the ages of now; None: nobody can say.
+        predicted: likewise of copies that move evenly together, with the ages of now; None: nobody can say, as while only
+            one end of a link is coupled.
     """
 
     law: str
@@ -60,11 +61,14 @@ def felt(known: Sequence[Status]) -> Felt | None:
     )
     moved = sum(status.moved for status in moving) / len(moving)
     parts = [status.drag for status in moving if status.drag is not None]
+    coupled = {(status.slot, link.slot) for status in moving for link in status.links if link.state == "coupled"}
+    # Where one end of a spring counts its age and the other does not, the difference of their clocks is left.
+    known_by_both = law != "spring" or coupled == {(there, here) for here, there in coupled}
     return Felt(
         law=law,
         on_the_way=None if law == "spring" else on_the_way,
         measured=sum(status.braked for status in moving) / moved if moved > _LEAST else None,
-        predicted=sum(parts) if len(parts) == len(moving) else None,
+        predicted=sum(parts) if len(parts) == len(moving) and known_by_both else None,
     )
 
 
