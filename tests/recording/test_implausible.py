@@ -1,7 +1,6 @@
 """Numbers that are none, too large for any, or of tools that are not there, are no recording that holds."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -60,5 +59,5 @@ def test_times_that_are_none_are_no_recording(honest: list[Recording], name: str
     batch = [Batch(first.neighbours, {**columns, **first.states})]
     assert recording_of("a.mcap", first.header, batch, first.events, None).steps == first.steps
     columns[name][30] = value
-    with pytest.raises(RecordingError, match="a length that is not positive|an age that no clocks explain"):
+    with pytest.raises(RecordingError, match=r"a length that is not positive|an age that no clocks explain"):
         recording_of("a.mcap", first.header, batch, first.events, None)

@@ -337,7 +337,10 @@ def _carried(recording: Recording, kept: Bool, stored: Float, start: Float, gain
 
 
 def _tools(recording: Recording) -> tuple[Float, Float, dict[str, Float]]:
-    """Energy of proxies and contacts, work of the drives, and where those differ from the ledger; nothing where there are no tools."""
+    """Energy of proxies and contacts, work of the drives, and where those differ from the ledger.
+
+    Where there are no tools there is nothing of these, whatever the ledger says.
+    """
     columns, steps = recording.columns, recording.steps
     drive = np.array(columns["drive_work"])
     without = "tool_rate" not in columns
