@@ -45,6 +45,8 @@ def test_what_is_sent_and_what_the_codec_saves() -> None:
 def test_nobody_is_accused_of_energy_whose_ledger_went_with_who_left() -> None:
     took = [said(0, supplied=-0.062, initial=0.0)]
     assert any(line.endswith("NOT PASSIVE: 0.062 J came out that nobody had put in.") for line in told(took))
+    fell = told([took[0].model_copy(update={"depth": 0.5})])  # the weight of the object gave it
+    assert any(line.endswith("Passive: nobody took out energy that nobody had put in.") for line in fell)
     assert any("cannot be judged" in line for line in told(took, left=True))
     lost = told([said(0, supplied=0.062)], left=True)
     assert any(line.endswith("Passive: nobody took out energy that nobody had put in.") for line in lost)

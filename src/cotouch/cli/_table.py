@@ -101,7 +101,9 @@ def verdict(known: "Sequence[Status]", *, left: bool) -> str:
         known: what those who are there say.
         left: whether somebody took a part of the ledger along.
     """
-    margin = sum(status.supplied + status.initial + status.initial_energies for status in known)
+    from cotouch.members import margin_of
+
+    margin = margin_of(known)
     if margin >= -_ROUND_OFF:
         return "Passive: nobody took out energy that nobody had put in."
     if left:
