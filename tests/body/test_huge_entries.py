@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import scipy.sparse as sp
 
-from cotouch import BodyError, lattice
+from cotouch import BodyError, lattice, point
 from cotouch.body._checks import plausible
 
 
@@ -35,6 +35,12 @@ def test_bodies_too_stiff_or_damped_to_be_computed_are_refused(options: dict[str
         warnings.simplefilter("error")
         with pytest.raises(BodyError, match=rf"^node 1 of 0\.25 kg has .*{message}"):
             lattice((2, 2), **options)
+
+
+def test_masses_whose_energies_are_no_numbers_are_refused() -> None:
+    point(mass=1e30)
+    with pytest.raises(BodyError, match=r"node 1 has a mass of 1e\+300 kg; at most 1e\+30 kg can be computed"):
+        point(mass=1e300)
 
 
 def test_what_is_held_by_the_ground_may_be_as_stiff_as_numbers_go() -> None:

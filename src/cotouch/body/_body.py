@@ -48,8 +48,8 @@ class Body:
         places: points of a rigid body that can be held besides its nodes and its skin's vertices, (P, 3) [m].
 
     Raises:
-        BodyError: a matrix is not finite, symmetric, definite or of the right size; a node has too little mass; the rest
-            shape is not (n, d) with d from 1 to 3; the skin hangs on nodes that there are not.
+        BodyError: a matrix is not finite, symmetric, definite or of the right size; a node has too little mass; the
+            rest shape is not (n, d) with d from 1 to 3; the skin hangs on nodes that there are not.
 
     Examples:
         >>> body = Body(mass=[[2.0, 0.0], [0.0, 2.0]], rest=[0.0, 1.0], stiffness_int=[[5.0, -5.0], [-5.0, 5.0]])

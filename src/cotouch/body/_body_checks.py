@@ -8,6 +8,9 @@ from cotouch.arrays import Float
 from cotouch.body._checks import FARTHEST, positive
 from cotouch.errors import BodyError
 
+# Energies of what is heavier are no numbers [kg].
+_HEAVIEST = 1e30
+
 
 def rest_shape(rest: npt.ArrayLike) -> Float:
     try:
@@ -38,6 +41,10 @@ def check_mass(mass: sp.csr_array, rows_per_node: int) -> None:
         row = int(bad[0])
         node = row // rows_per_node + 1
         raise BodyError(f"node {node} has mass {own[row]:.9g} (mass[{row}, {row}]); every node needs a mass > 0")
+    heavy = int(np.argmax(own))
+    if own[heavy] > _HEAVIEST:
+        node = heavy // rows_per_node + 1
+        raise BodyError(f"node {node} has a mass of {own[heavy]:.3g} kg; at most {_HEAVIEST:g} kg can be computed")
     positive("mass", mass, strictly=True)
 
 
