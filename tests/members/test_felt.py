@@ -40,9 +40,10 @@ def test_what_nobody_knows_is_not_said() -> None:
     assert (found.measured, found.predicted) == (None, None)
 
 
-def test_a_law_whose_name_steers_terminals_is_not_read() -> None:
+@pytest.mark.parametrize("name", ["\x1b[2J", "\u202edias", "a\u2028b", "\u200b"])
+def test_a_law_whose_name_steers_terminals_is_not_read(name: str) -> None:
     with pytest.raises(ValidationError, match="law"):
-        said(0, law="\x1b[2J")
+        said(0, law=name)
 
 
 def test_ages_that_only_one_end_counts_predict_no_drag() -> None:
