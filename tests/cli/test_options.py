@@ -25,3 +25,11 @@ def test_the_body_command_takes_every_option_of_a_scenarios_body() -> None:
     together = {"most_triangles", "most_elements", "parts"}
     assert set(FileTable.model_fields) - {"kind"} - together <= own
     assert "most" in own
+
+
+def test_no_duration_is_below_zero() -> None:
+    """A host of -2 seconds printed an invitation, ended at once, and called that a success."""
+    for name in ("host", "join", "measure", "demo"):
+        done = here(name, *([] if name == "demo" else ["nothing"]), "--duration", "-2")
+        assert done.returncode == 2
+        assert "Invalid value for '--duration'" in done.stderr

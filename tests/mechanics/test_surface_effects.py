@@ -157,9 +157,14 @@ def test_a_relief_is_felt_without_steps_and_alike_on_finer_points() -> None:
     assert (steps[0] < 0.55 * steps[1]).all()
 
 
-def test_too_many_points_are_refused() -> None:
-    with pytest.raises(BodyError, match=r"the relief needs 1\.28e\+06 points on this skin; at most 1e\+06"):
-        relief_on(*flat(1, uneven=0.0), ridges(HEIGHT), spacing=0.08 * sqrt(2.0) / 800.0001, most=10**6)
+@pytest.mark.parametrize(("spacing", "count"), [(0.08 * sqrt(2.0) / 800.0001, r"1\.28e\+06"), (1e-300, "countless")])
+def test_too_many_points_are_refused(spacing: float, count: str) -> None:
+    """With a sentence that says how far apart they may be: as far as it says, there are not too many."""
+    skin = flat(1, uneven=0.0)
+    words = rf"the relief needs {count} points on this skin; at most 1e\+06 are possible, which are 0\.00016 m apart"
+    with pytest.raises(BodyError, match=words):
+        relief_on(*skin, ridges(HEIGHT), spacing=spacing, most=10**6)
+    assert relief_on(*skin, ridges(HEIGHT), spacing=0.00017, most=10**6).height.size < 10**6
 
 
 # -- steps -------------------------------------------------------------------------------------------------------------

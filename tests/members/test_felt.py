@@ -40,6 +40,21 @@ def test_what_nobody_knows_is_not_said() -> None:
     assert (found.measured, found.predicted) == (None, None)
 
 
-def test_a_law_whose_name_steers_terminals_is_not_read() -> None:
+@pytest.mark.parametrize("name", ["\x1b[2J", "\u202edias", "a\u2028b", "\u200b"])
+def test_a_law_whose_name_steers_terminals_is_not_read(name: str) -> None:
     with pytest.raises(ValidationError, match="law"):
-        said(0, law="\x1b[2J")
+        said(0, law=name)
+
+
+def test_ages_that_only_one_end_counts_predict_no_drag() -> None:
+    """Each end counts the difference of the clocks, the other way round: alone it came to millions of Ns/m."""
+    one = said(0, law="spring", drag=5.0 + 60.0 * 2.6e5, links=[end(1, 0.0, 0.0)])
+    other = said(1, law="spring", drag=7.0 - 60.0 * 2.6e5, links=[end(0, 0.0, 0.0)])
+    both = felt([one, other])
+    assert both is not None
+    assert both.predicted == pytest.approx(12.0)
+    guarded = other.model_copy(update={"drag": 7.0, "links": [LinkStatus(slot=0, state="guarded")]})
+    for known in ([one, guarded], [one]):
+        found = felt(known)
+        assert found is not None
+        assert found.predicted is None

@@ -454,3 +454,23 @@ def test_the_numbers_count_users_from_one(tmp_path: Path) -> None:
     assert numbers["links"][0]["link"] == [1, 2]
     assert numbers["holds"] is False
     assert numbers["findings"][0]["place"] == "link"
+
+
+@pytest.mark.parametrize("whole", [True, False])
+def test_what_one_user_got_out_is_not_held_against_anybody_once_another_is_cut_off(tmp_path: Path, whole: bool) -> None:
+    """What that one's hand put in after its recording ended is in no file."""
+    options = {"hands": {0: pulled(amplitude=0.3, stiffness=200.0), 1: brake}, "seconds": 2.0}
+    first, second = (read_recording(path) for path in Driven(tmp_path, **options).run())
+    assert audit([first, second]).holds
+    early = first.first_steps(first.steps // 4)
+    result = audit([replace(early, broken=None if whole else "it ends before its index"), second])
+    assert result.holds, result.verdict
+    end = float(early.time[-1] - first.time[0] + first.columns["T"][0])
+    assert any(f"steps are missing from {end:.2f} s on" in note for note in result.notes)
+    assert result.margin_time <= end + 1e-9
+    assert result.numbers()["holds"]
+
+
+def brake(peer: Peer, now: float, T: float) -> None:
+    """A hand that only takes: a damper to a place that does not move."""
+    peer.ports.damping[:] = 20.0

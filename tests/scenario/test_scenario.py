@@ -47,6 +47,16 @@ def test_a_network_alone_is_a_scenario() -> None:
         ("[steps]\nduration = nan", ["steps.duration", "nan"]),
         ("[steps]\nduration = 1e9", ["steps", "1e+12 steps", "make steps.duration shorter"]),
         ("[steps]\nduration = 0.0001", ["less than one step"]),
+        # What no number can hold beside others: a hand so firm was told to take energy out, or moved nothing.
+        (
+            "[[hands]]\nuser = 1\nstiffness = 1e100",
+            ["hands[1].stiffness", "1e+100", "less than or equal to 1000000000"],
+        ),
+        ("[[hands]]\nuser = 1\ndamping = 1e10", ["hands[1].damping", "less than or equal to 1000000000"]),
+        ("[[hands]]\nuser = 1\npath = [1e100]", ["hands[1].path", "1e+100", "within 1e+09"]),
+        ("[world]\ngravity = [0, 0, -1e300]", ["world.gravity[3]", "greater than or equal to -1000000000"]),
+        ("[[tools]]\nuser = 1\nat = [0, 0, 0]\nstiffness = 1e16", ["tools[1].stiffness", "less than or equal to"]),
+        ("[[tools]]\nuser = 1\nat = [0, 0, 0]\n[tools.hand]\nstiffness = 1e16", ["tools[1].hand.stiffness"]),
         ("[synchronisation]\nmode = 'fastest'", ["synchronisation.mode", "'fastest'", "'freshest'"]),
         ("[synchronisation]\ndamping = 'best'", ["synchronisation.damping", "'best'"]),
         ("[synchronisation]\ndamping = [1.0]", ["synchronisation.damping", "1 entries"]),

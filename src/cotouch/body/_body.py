@@ -11,7 +11,7 @@ import numpy.typing as npt
 import scipy.sparse as sp
 
 from cotouch.arrays import Float
-from cotouch.body._body_checks import check_mass, rest_shape
+from cotouch.body._body_checks import check_mass, check_rates, rest_shape
 from cotouch.body._checks import Form, Matrix, SumOfSquares, diagonal, plausible, positive, square
 from cotouch.body._material import Material
 from cotouch.body._origin import Origin
@@ -48,8 +48,8 @@ class Body:
         places: points of a rigid body that can be held besides its nodes and its skin's vertices, (P, 3) [m].
 
     Raises:
-        BodyError: a matrix is not finite, symmetric, definite or of the right size; a node has no mass; the rest shape
-            is not (n, d) with d from 1 to 3; the skin hangs on nodes that there are not.
+        BodyError: a matrix is not finite, symmetric, definite or of the right size; a node has too little mass; the
+            rest shape is not (n, d) with d from 1 to 3; the skin hangs on nodes that there are not.
 
     Examples:
         >>> body = Body(mass=[[2.0, 0.0], [0.0, 2.0]], rest=[0.0, 1.0], stiffness_int=[[5.0, -5.0], [-5.0, 5.0]])
@@ -111,16 +111,16 @@ class Body:
                 if matrix.shape[0] == nodes:
                     matrices[name] = sp.csr_array(sp.kron(matrix, identity))
         check_mass(matrices["mass"], dimension if full else 1)
-        for name in ("damping_int", "stiffness_int"):
+        for name, matrix in matrices.items():
             if name in known:
-                plausible(name, matrices[name])
-            elif name in matrices:
-                positive(name, matrices[name], strictly=False)
-        for name in ("damping_ext", "stiffness_ext"):
-            if name in matrices:
-                diagonal(name, matrices[name])
+                plausible(name, matrix)
+            elif name.endswith("_int"):
+                positive(name, matrix, strictly=False)
+            elif name.endswith("_ext"):
+                diagonal(name, matrix)
         for name in given:
             object.__setattr__(self, name, matrices.get(name, sp.csr_array((rows, rows), dtype=np.float64)))
+        check_rates(self.mass, self.stiffness_int, self.damping_int, dimension if full else 1)
         object.__setattr__(self, "rest", shape)
         object.__setattr__(self, "form", "full" if full else "node")
         if skin is not None:

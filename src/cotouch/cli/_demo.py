@@ -1,5 +1,6 @@
 """`cotouch demo`: five people at one object, each a process of its own, on this machine."""
 
+import math
 import sys
 import time
 from collections.abc import Callable, Sequence
@@ -70,6 +71,8 @@ def run(
     told = [-float("inf")]
     quiet = headless or as_json
     draws: list[Callable[[], None]] = []
+    if seconds is not None and math.isinf(seconds):
+        raise SessionError("--duration is inf; it must be a finite number of seconds")
     if file is None:
         people = _USERS if users is None else users
         session = demo_session(users=people, body=body, seconds=seconds, impair=impair, law=law)

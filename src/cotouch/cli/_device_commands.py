@@ -50,7 +50,8 @@ def devices_calibrate(device: DeviceName, allow_motion: AllowMotion = False, as_
 def devices_monitor(
     device: DeviceName,
     seconds: Annotated[
-        float | None, typer.Option("--duration", help="Duration [s]; default: until Ctrl-C.", show_default=False)
+        float | None,
+        typer.Option("--duration", help="Duration [s]; default: until Ctrl-C.", min=0.0, show_default=False),
     ] = None,
     as_json: AsJson = False,
 ) -> None:

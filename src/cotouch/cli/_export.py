@@ -45,5 +45,5 @@ def run(files: Sequence[Path], *, out: Path, as_json: bool) -> None:
 
 def _counted(name: str, count: int) -> str:
     """So many of a dimension, in words."""
-    many = {"axis": "axes", "index": "indices"}.get(name, f"{name}s")
+    many = {"axis": "axes", "body": "bodies", "index": "indices"}.get(name, f"{name}s")
     return f"{count} {name if count == 1 else many}"

@@ -23,7 +23,8 @@ def host(
     listen: Annotated[str, typer.Option(help="Numeric address at which others can reach this machine.")] = "127.0.0.1",
     port: Annotated[int | None, typer.Option(help="TCP and UDP port; default: a free one.", show_default=False)] = None,
     seconds: Annotated[
-        float | None, typer.Option("--duration", help="Duration [s]; default: until Ctrl-C.", show_default=False)
+        float | None,
+        typer.Option("--duration", help="Duration [s]; default: until Ctrl-C.", min=0.0, show_default=False),
     ] = None,
     key_file: Annotated[
         Path | None,
@@ -70,7 +71,7 @@ def join(
     ] = "scripted",
     seconds: Annotated[
         float | None,
-        typer.Option("--duration", help="Duration [s]; default: until the session ends.", show_default=False),
+        typer.Option("--duration", help="Duration [s]; default: until the session ends.", min=0.0, show_default=False),
     ] = None,
     listen: OwnAddress = None,
     record: Annotated[Path | None, typer.Option(help="Record to this MCAP file.", show_default=False)] = None,

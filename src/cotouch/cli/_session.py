@@ -205,7 +205,10 @@ def sentence(taken: "PartOutcome") -> str:
 
 @contextmanager
 def stop_signals() -> Generator[Callable[[], bool]]:
-    """Lets SIGINT and SIGTERM end a loop in order; a second one, or one before the loop looks, interrupts at once."""
+    """Lets Ctrl-C, SIGTERM and a terminal that goes away end a loop in order.
+
+    A second one, or one before the loop looks, interrupts at once.
+    """
     asked: list[int] = []
     looking: list[bool] = []
 
@@ -220,7 +223,10 @@ def stop_signals() -> Generator[Callable[[], bool]]:
             looking.append(True)
         return bool(asked)
 
-    before = {number: signal.signal(number, ask) for number in (signal.SIGINT, signal.SIGTERM)}
+    numbers = [signal.SIGINT, signal.SIGTERM]
+    if sys.platform != "win32" and signal.getsignal(signal.SIGHUP) != signal.SIG_IGN:  # nohup wants it ignored
+        numbers.append(signal.SIGHUP)
+    before = {number: signal.signal(number, ask) for number in numbers}
     try:
         yield stopped
     finally:

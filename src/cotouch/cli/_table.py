@@ -101,7 +101,9 @@ def verdict(known: "Sequence[Status]", *, left: bool) -> str:
         known: what those who are there say.
         left: whether somebody took a part of the ledger along.
     """
-    margin = sum(status.supplied + status.initial + status.initial_energies for status in known)
+    from cotouch.members import margin_of
+
+    margin = margin_of(known)
     if margin >= -_ROUND_OFF:
         return "Passive: nobody took out energy that nobody had put in."
     if left:
@@ -120,7 +122,7 @@ def felt_words(known: "Sequence[Status]") -> str:
     said = [] if found.on_the_way is None else [f"{1e3 * found.on_the_way:.3g} mJ on its way"]
     values = (("measured", found.measured), ("predicted", found.predicted))
     drags = [f"{value:.2f} Ns/m {name}" for name, value in values if value is not None]
-    said.append(f"felt drag {' and '.join(drags)}" if drags else "felt drag unknown until the object moves")
+    said.append(f"felt drag {' and '.join(drags)}" if drags else "felt drag not known yet")
     return f"Law {found.law}: {'; '.join(said)} (people notice {NOTICED_DRAG:.1f} Ns/m)."
 
 

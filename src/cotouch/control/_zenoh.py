@@ -122,9 +122,9 @@ def open_session(configured: str) -> "zenoh.Session":
         connect = ", ".join(name.removeprefix("tls/") for name in given["connect"]["endpoints"])
         text = str(error)
         known = {
-            "already in use": f"port of {listen} is taken; choose another",
+            "already in use": f"the port of {listen} is taken; choose another",
             "Cannot assign": f"{listen} is not an address of this machine; listen on one that is",
-            "Permission denied": f"port of {listen} is not permitted; choose one of 1024 or above",
+            "Permission denied": f"the port of {listen} is not permitted; choose one of 1024 or above",
             "Unable to connect": f"no router of this session answers at {connect}; check that it runs and is invited",
         }
         why = next((said for sign, said in known.items() if sign in text), f"the control plane cannot open: {text}")

@@ -77,7 +77,12 @@ def relief_on(
     with np.errstate(over="ignore"):  # infinitely many are too many as well
         points = float((cells**2).sum())
     if points > most:
-        raise BodyError(f"the relief needs {points:.3g} points on this skin; at most {most:.3g} are possible")
+        count = f"{points:.3g}" if math.isfinite(points) else "countless"
+        apart = math.sqrt(float((longest**2).sum()) / most)
+        raise BodyError(
+            f"the relief needs {count} points on this skin; at most {most:.3g} are possible, which are {apart:.2g} m "
+            "apart"
+        )
     normal = np.zeros(place.shape)
     for q in range(3):
         np.add.at(normal, corner[:, q], np.cross(b - a, c - a))

@@ -4,7 +4,7 @@ from cotouch.members._admission import Admission, addresses_of
 from cotouch.members._coordinator import ABSENT_AFTER, Coordinator, Planner
 from cotouch.members._device_table import coupling_of_slot, device_tools
 from cotouch.members._emulate import path_laws
-from cotouch.members._felt import Felt, felt
+from cotouch.members._felt import Felt, felt, margin_of
 from cotouch.members._file import MOST_USERS, SessionFile
 from cotouch.members._hand import Hand, NoHand, ScriptedHand, Slot, grips_of, handles_of, no_ports
 from cotouch.members._host import Host
@@ -88,6 +88,7 @@ __all__ = [
     "genuine",
     "grips_of",
     "handles_of",
+    "margin_of",
     "no_ports",
     "pace_numbers",
     "path_laws",

@@ -1,4 +1,4 @@
-"""What the law of a session's links makes of it: energy on its way, and the drag that hands feel.
+"""What the law of a session's links makes of it: energy on its way or left over, and the drag that hands feel.
 
 Hands put in what the law takes of the motion, ‖v̂‖² times its drag: by the damping B_i of all copies, and by links that
 take more than they give. Whoever moves all N copies evenly together feels of springs
@@ -32,7 +32,8 @@ class Felt:
         on_the_way: what ends gave to others that these did not take yet; None: the law exchanges no energy [J].
         measured: drag of the last seconds, over the identity weight: of a point the drag that its hand feels, of other
             bodies that at each node; None: the copies hardly moved [Ns/m].
-        predicted: likewise of copies that move evenly together, with the ages of now; None: nobody can say.
+        predicted: likewise of copies that move evenly together, with the ages of now; None: nobody can say, as while
+            only one end of a link is coupled.
     """
 
     law: str
@@ -60,12 +61,26 @@ def felt(known: Sequence[Status]) -> Felt | None:
     )
     moved = sum(status.moved for status in moving) / len(moving)
     parts = [status.drag for status in moving if status.drag is not None]
+    coupled = {(status.slot, link.slot) for status in moving for link in status.links if link.state == "coupled"}
+    # Where one end of a spring counts its age and the other does not, the difference of their clocks is left.
+    known_by_both = law != "spring" or coupled == {(there, here) for here, there in coupled}
     return Felt(
         law=law,
         on_the_way=None if law == "spring" else on_the_way,
         measured=sum(status.braked for status in moving) / moved if moved > _LEAST else None,
-        predicted=sum(parts) if len(parts) == len(moving) else None,
+        predicted=sum(parts) if len(parts) == len(moving) and known_by_both else None,
     )
+
+
+def margin_of(known: Sequence[Status]) -> float:
+    """What hands could still take out of a session: what they put in, and what else was there to be had [J].
+
+    Below 0 they got out what nobody had put in. A body that fell below where it began has given its weight's work.
+
+    Args:
+        known: the last words of all members.
+    """
+    return sum(status.supplied + status.initial + status.initial_energies + status.depth for status in known)
 
 
 def predicted_drag(

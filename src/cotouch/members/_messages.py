@@ -19,11 +19,11 @@ LAST_EPOCH = 1 << 52
 _LAST_COUNT = 1 << 53
 Slot = Annotated[int, Field(ge=0, lt=MOST_USERS)]  # from 0; people see slot + 1
 Key = Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{64}$")]
-# Nothing that is shown steers a terminal.
-Name = Annotated[str, StringConstraints(min_length=1, max_length=32, pattern=r"^[^\x00-\x1f\x7f-\x9f]+$")]
-Text = Annotated[str, StringConstraints(max_length=200, pattern=r"^[^\x00-\x1f\x7f-\x9f]*$")]
-Notice = Annotated[str, StringConstraints(max_length=MOST_NOTICE, pattern=r"^[^\x00-\x1f\x7f-\x9f]*$")]
-Reason = Annotated[str, StringConstraints(max_length=100, pattern=r"^[^\x00-\x1f\x7f-\x9f]*$")]
+_SEEN = r"[^\x00-\x1f\x7f-\x9f\u200b\u2028-\u202e\u2060-\u2069\ufeff]"  # nothing steers a terminal or its lines
+Name = Annotated[str, StringConstraints(min_length=1, max_length=32, pattern=f"^{_SEEN}+$")]
+Text = Annotated[str, StringConstraints(max_length=200, pattern=f"^{_SEEN}*$")]
+Notice = Annotated[str, StringConstraints(max_length=MOST_NOTICE, pattern=f"^{_SEEN}*$")]
+Reason = Annotated[str, StringConstraints(max_length=100, pattern=f"^{_SEEN}*$")]
 Number = Annotated[FiniteFloat, Field(ge=-1e12, le=1e12)]
 Start = Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{16}$")]
 Signature = Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{128}$")]

@@ -52,7 +52,7 @@ class Part:
 
     def __post_init__(self) -> None:
         try:
-            _NAME.validate_python(self.name.strip())
+            object.__setattr__(self, "name", _NAME.validate_python(self.name.strip()))
         except ValidationError:
             raise SessionError(
                 f"the name is {self.name[:40]!r}; it must be 1 to 32 letters in one line, such as --name Ann"

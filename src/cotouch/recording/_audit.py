@@ -20,7 +20,17 @@ from cotouch.recording._columns import GUARDS
 from cotouch.recording._findings import AuditFinding, absent_users, closing_words, exchanged, findings_of, missing_words
 from cotouch.recording._guards import started
 from cotouch.recording._law import law_ledger
-from cotouch.recording._links import LinkLedger, ages, align, grid_of, link_ledger, linked, so_far, too_young
+from cotouch.recording._links import (
+    LinkLedger,
+    ages,
+    align,
+    grid_of,
+    link_ledger,
+    linked,
+    so_far,
+    too_young,
+    unrecorded,
+)
 from cotouch.recording._motion import LOSSES, Motion, motions
 from cotouch.recording._recording import Recording
 from cotouch.units import user_number
@@ -73,7 +83,15 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
     members = sum((so_far(m, np.where(m.members, m.carried, 0.0), grid) for m in moved), np.zeros(grid.size))
     # A body that fell below where it began has given what no hand put in: its weight did.
     margin = supply + initial + members + sum(m.depth for m in moved)
-    least = int(np.argmin(margin))
+    # What hands did in steps that are not recorded is not known, nor what was put in from then on.
+    unknown = np.any([unrecorded(m, grid) for m in moved], axis=0)
+    until = int(np.argmax(unknown)) if unknown.any() else grid.size
+    if until < grid.size and not absent_users(recordings):
+        notes.append(
+            f"steps are missing from {float(grid[until - 1]) - start:.2f} s on; whether users took out more than was "
+            "put in is known up to there"
+        )
+    least = int(np.argmin(margin[:until]))
     if margin[least] < -allowed and not absent_users(recordings):
         words = f"users took {-margin[least]:.4g} J more out of the network than they had put in"
         found.append(_of_network(float(-margin[least]), float(grid[least]) - start, words))

@@ -24,6 +24,7 @@ _NAMES = {
     "cut": ("cuts", "what was lost with the elements that were cut"),
     "stored": ("state", "the energy of position and velocity"),
     "closure": ("state", "the work on the velocity that closed steps"),
+    "held": ("proxies", "the energy of proxies and contacts"),
     "proxies": ("proxies", "the motion of the proxies under the forces on them"),
     "contacts": ("contacts", "the energy that contacts and grasps store and lose"),
 }
@@ -80,7 +81,8 @@ def findings_of(motion: Motion, tolerance: float, start: float, names: dict[int,
         )
 
     # What is stored is a level, not a flow: an error that stays must not count in every step anew.
-    flows = {**motion.difference, "stored": np.diff(motion.difference["stored"], prepend=0.0)}
+    levels = {name: np.diff(motion.difference[name], prepend=0.0) for name in ("stored", "held")}
+    flows = {**motion.difference, **levels}
     for name, difference in flows.items():
         if not _counts(difference, tolerance):
             continue
@@ -232,8 +234,9 @@ def _explained(motion: Motion) -> Float:
 
 
 def _counts(energies: Float, tolerance: float) -> bool:
-    return bool(
-        np.abs(energies).max(initial=0.0) > tolerance or np.abs(np.cumsum(energies)).max(initial=0.0) > tolerance
+    # What is no number is not below the tolerance.
+    return not (
+        np.abs(energies).max(initial=0.0) <= tolerance and np.abs(np.cumsum(energies)).max(initial=0.0) <= tolerance
     )
 
 

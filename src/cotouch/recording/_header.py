@@ -93,4 +93,4 @@ class RecordHeader:
         except (KeyError, ValueError, TypeError) as error:
             if isinstance(error, RecordingError):
                 raise
-            raise RecordingError(f"the recording's header cannot be read: {error!r}") from None
+            raise RecordingError(f"the recording's header cannot be read: {repr(error)[:100]}") from None

@@ -212,8 +212,7 @@ def link_ledger(one: Motion, two: Motion, grid: Float, fractions: tuple[Float, F
     status = np.minimum(*(_at_grid(m, np.where(own, _status(m, c), ABSENT), grid) for (m, c), own in ours))
     spring = _spring(one, two, grid) * strength
     counted = np.where(status == LinkState.COUPLED, spring, 0.0)
-    lost = [_lost(motion, grid) for motion in (one, two)]
-    bad = lost[0] | lost[1]
+    bad = unrecorded(one, grid) | unrecorded(two, grid)
     work = works[0] + works[1]
     steps = np.diff(work + spring)
     steps[bad[1:]] = 0.0
@@ -354,8 +353,13 @@ def _strength(motion: Motion, column: int) -> Float:
     return out
 
 
-def _lost(motion: Motion, grid: Float) -> Bool:
-    """Instants that end an interval of which the recording says nothing, though the user was there."""
+def unrecorded(motion: Motion, grid: Float) -> Bool:
+    """Instants that end an interval of which the recording says nothing, though the user was there.
+
+    Args:
+        motion: of the user.
+        grid: instants [s].
+    """
     recording = motion.recording
     bad = np.zeros(grid.size, dtype=bool)
     for step in np.flatnonzero(~recording.consecutive)[1:]:

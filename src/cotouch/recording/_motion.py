@@ -337,30 +337,39 @@ def _carried(recording: Recording, kept: Bool, stored: Float, start: Float, gain
 
 
 def _tools(recording: Recording) -> tuple[Float, Float, dict[str, Float]]:
-    """Energy of proxies and contacts, work of the drives, and where those differ from the ledger."""
-    columns = recording.columns
-    booked = columns["proxy"] + columns["touch_stored"]
+    """Energy of proxies and contacts, work of the drives, and where those differ from the ledger.
+
+    Where there are no tools there is nothing of these, whatever the ledger says.
+    """
+    columns, steps = recording.columns, recording.steps
     drive = np.array(columns["drive_work"])
-    if "tool_rate" not in columns or not any(setup.tool_mass for setup in recording.setups):
-        return booked, drive, {}
-    mass = np.zeros((recording.steps, columns["tool_rate"].shape[1]))
+    without = "tool_rate" not in columns
+    if not without and not any(setup.tool_mass for setup in recording.setups):
+        return columns["proxy"] + columns["touch_stored"], drive, {"held": np.zeros(steps)}
+    rate, place, pulled, touched = (
+        np.zeros((steps, 0, 3)) if without else columns[name]
+        for name in ("tool_rate", "tool_place", "drive_force", "touch_force")
+    )
+    mass = np.zeros((steps, rate.shape[1]))
     for setup, span in recording.setup_rows():
         if len(setup.tool_mass) == mass.shape[1]:
             mass[span] = setup.tool_mass
-    kinetic = 0.5 * (mass * (columns["tool_rate"] ** 2).sum(axis=2)).sum(axis=1)
+    kinetic = 0.5 * (mass * (rate**2).sum(axis=2)).sum(axis=1)
     follows = recording.consecutive
-    moved = np.zeros_like(columns["tool_place"])
-    moved[1:] = np.diff(columns["tool_place"], axis=0)
-    worked = (columns["drive_force"] * moved).sum(axis=(1, 2))
-    felt = (columns["touch_force"] * moved).sum(axis=(1, 2))
+    moved = np.zeros_like(place)
+    moved[1:] = np.diff(place, axis=0)
+    worked = (pulled * moved).sum(axis=(1, 2))
+    felt = (touched * moved).sum(axis=(1, 2))
     drive = np.where(follows, worked, drive)
     before = np.concatenate([[0.0], kinetic[:-1]])
     held = np.concatenate([[0.0], columns["touch_stored"][:-1]])
     contact = -felt - columns["touch_work"] - columns["touch_loss"] - (columns["touch_stored"] - held)
+    stored = np.zeros(steps) if without else columns["touch_stored"]  # nothing touches where there is no tool
     return (
-        kinetic + columns["touch_stored"],
+        kinetic + stored,
         drive,
         {
+            "held": kinetic + stored - columns["proxy"] - columns["touch_stored"],
             "proxies": np.where(follows, kinetic - before - worked - felt, 0.0),
             "contacts": np.where(follows, contact, 0.0),
         },

@@ -11,13 +11,17 @@ import numpy as np
 from cotouch.arrays import Array, Bool, Float
 from cotouch.errors import RecordingError
 from cotouch.peer import ROUNDED, Codec, LinkState
-from cotouch.recording._columns import EXCHANGE, GUARDS, SAID, STATES, UNSAID, Batch
+from cotouch.recording._columns import EXCHANGE, GUARDS, SAID, SCALARS, STATES, UNSAID, Batch
 from cotouch.recording._header import RecordHeader
 from cotouch.units import user_number
 
 _LINKS = ("link_work", "age", "used", "link_state")
 # What a column of integers says where there is no link.
 _NONE = {"used": UNSAID, "link_state": LinkState.GUARDED}
+# What is larger is no number of a recording: squares of it, times what bodies have, are not finite.
+_LARGEST = 1e100
+# Clocks that were never set are apart by less [s].
+_OLDEST = 1e12
 
 
 @final
@@ -176,15 +180,15 @@ class Recording:
 
     @cached_property
     def finite(self) -> int:
-        """How many steps there are before the first whose numbers are not all finite."""
+        """How many steps there are before the first with a number that is not finite, or whose square is not."""
         bad = self.steps
-        for name in ("supplied", "kinetic", "elastic", "drive_work", "proxy", "touch_stored", "residual", "force"):
-            rows = np.flatnonzero(~np.isfinite(self.columns[name].reshape(self.steps, -1)).all(axis=1))
+        for name in (*SCALARS, "force"):
+            rows = np.flatnonzero(~(np.abs(self.columns[name].reshape(self.steps, -1)) < _LARGEST).all(axis=1))
             bad = min(bad, int(rows[0])) if rows.size else bad
         for name in ("x", "v", "middle"):
             values = self.states.get(name, np.zeros((0, 1)))
             if values.size:
-                rows = np.flatnonzero(~np.isfinite(values.reshape(values.shape[0], -1)).all(axis=1))
+                rows = np.flatnonzero(~(np.abs(values.reshape(values.shape[0], -1)) < _LARGEST).all(axis=1))
                 bad = min(bad, int(self.states["state_row"][rows[0]])) if rows.size else bad
         return bad
 
@@ -241,8 +245,10 @@ def recording_of(
         )
     if np.any(np.diff(columns["index"]) <= 0):
         raise RecordingError("its steps are not in order")
-    if not (np.all(np.isfinite(columns["end"])) and np.all(columns["T"] > 0.0)):
+    if not (np.all(np.isfinite(columns["end"])) and np.all((columns["T"] > 0.0) & np.isfinite(columns["T"]))):
         raise RecordingError("a step has a time that is not finite or a length that is not positive")
+    if "age" in columns and np.any(np.abs(columns["age"]) > _OLDEST):
+        raise RecordingError("a sample has an age that no clocks explain")
     held = [batch.columns for batch in batches if batch.columns.get("state_row", np.zeros(0)).size]
     states: dict[str, Array] = {"state_row": np.zeros(0, dtype=np.int64)}
     if held:

@@ -105,7 +105,7 @@ class _ShapeTable(Table):
     density: Positive = 1000.0
     mass: Positive | None = None
     centre: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
-    rate: Positive | None = None
+    rate: Annotated[Positive, Field(le=1e7)] | None = None
     model: Literal["rigid"] = "rigid"
 
     def _options(self) -> dict[str, Any]:

@@ -10,7 +10,7 @@ from pydantic import Discriminator, Field, SerializerFunctionWrapHandler, Tag, m
 from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.scenario._body_tables import FileTable, RigidBoxTable, RigidCylinderTable, RigidSphereTable
-from cotouch.scenario._tables import NonNegative, Number, Place, Positive, Table
+from cotouch.scenario._tables import Firm, NonNegative, Number, Place, Positive, Table
 from cotouch.scenario._tool_tables import RIGID, SimulatedDeviceTable, ToolHand, ToolPath, ToolTable
 
 _OWN = ("user", "at", "turn", "handle", "hand", "device")
@@ -41,9 +41,9 @@ class PoseHand(Table):
     """
 
     path: ToolPath = Field(default_factory=lambda: [0.0, 0.0, 0.0])
-    stiffness: Positive = 135.0
-    damping: NonNegative = 6.45
-    turning_stiffness: NonNegative = 0.5
+    stiffness: Annotated[Positive, Field(le=1e9)] = 135.0
+    damping: Firm = 6.45
+    turning_stiffness: Firm = 0.5
     begin: NonNegative = 0.0
     release: NonNegative | None = None
 

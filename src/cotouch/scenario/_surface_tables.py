@@ -143,8 +143,10 @@ class TextureTable(Table):
                 smooth=surface.tools(),
             )
         except BodyError as error:
+            waves = "waves of at least eight times that" if self._map() is None else "pixels of at least that size"
             raise ScenarioError(
-                f"contact.texture: {error}; take a coarser texture, larger tools or a smaller body"
+                f"contact.texture: {error}; give it {waves} and tools a radius of at least eight times that, or "
+                "make the body smaller"
             ) from None
 
     def profile(self) -> Callable[[Float, Float], Float]:

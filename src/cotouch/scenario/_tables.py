@@ -1,6 +1,6 @@
 """The tables of a scenario: every option, its range, and what it means."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Annotated, Any, Literal, Self, cast, final
 
@@ -18,12 +18,26 @@ from cotouch.laws import law_named
 
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
 NonNegative = Annotated[_NonNegativeFloat, Field(allow_inf_nan=False)]
+# Stiffness and damping of hands: what pulls a firmer one from its place is only rounding.
+Firm = Annotated[float, Field(ge=0.0, le=1e9, allow_inf_nan=False)]
+# Places, and what is added to them; products of larger ones are no numbers that energies can be told from.
+FARTHEST = 1e9
+Coordinate = Annotated[float, Field(ge=-FARTHEST, le=FARTHEST, allow_inf_nan=False)]
 Probability = Annotated[float, Field(ge=0.0, le=1.0, allow_inf_nan=False)]
 _MOST = 2**31 - 1
 # Users, nodes, steps: from 1 in files, and what kernels can count.
 Number = Annotated[int, Field(ge=1, le=_MOST)]
 Mode = Literal["constant", "self-paced", "freshest"]
 DampingMethod = Literal["rule", "minimax", "exact"]
+
+
+def _numbers(value: float | Sequence[float | Sequence[float]]) -> Iterator[float]:
+    """All numbers of nested lists."""
+    if isinstance(value, Sequence):
+        for entry in value:
+            yield from _numbers(entry)
+    else:
+        yield value
 
 
 def _has_truth(value: object) -> bool:
@@ -50,7 +64,7 @@ class Table(BaseModel):
         return table
 
 
-Place = Annotated[list[FiniteFloat], Field(min_length=3, max_length=3)]
+Place = Annotated[list[Coordinate], Field(min_length=3, max_length=3)]
 
 
 @final
@@ -179,11 +193,11 @@ class HandTable(Table):
 
     user: Number
     node: Number = 1
-    at: Annotated[list[FiniteFloat], Field(min_length=1, max_length=3)] | None = None
+    at: Annotated[list[Coordinate], Field(min_length=1, max_length=3)] | None = None
     body: str | None = None
     kind: Literal["spring", "force"] = "spring"
-    stiffness: NonNegative = 100.0
-    damping: NonNegative = 0.0
+    stiffness: Firm = 100.0
+    damping: Firm = 0.0
     path: FiniteFloat | list[FiniteFloat] | list[list[FiniteFloat]] = 0.0
     amplitude: FiniteFloat | list[FiniteFloat] = 0.0
     frequency: NonNegative = 0.0
@@ -197,6 +211,10 @@ class HandTable(Table):
             raise ValueError("node and at are given; give only one of them")
         if self.path == []:
             raise ValueError("path is []; it must be a place, or waypoints [time, x, ...]")
+        for name, value in (("path", self.path), ("amplitude", self.amplitude)):
+            far = next((number for number in _numbers(value) if abs(number) > FARTHEST), None)
+            if far is not None:
+                raise ValueError(f"{name} has the number {far:g}; it must be within {FARTHEST:g}")
         if self.release is not None and self.release <= self.begin:
             raise ValueError(f"release is {self.release} s but begin is {self.begin} s; it must be later")
         if isinstance(self.path, list) and self.path and isinstance(self.path[0], list):

@@ -10,7 +10,7 @@ from cotouch.device import PRESETS, installed_coupling
 from cotouch.errors import DeviceError, ScenarioError
 from cotouch.mechanics import CONTACT_LAWS
 from cotouch.scenario._surface_tables import SnapTable, TextureTable
-from cotouch.scenario._tables import NonNegative, Number, Place, Positive, Table
+from cotouch.scenario._tables import Coordinate, Firm, NonNegative, Number, Place, Positive, Table
 
 # Of a device's servo, where neither a scenario nor a product says it [Hz].
 DEFAULT_RATE = 1000.0
@@ -30,7 +30,7 @@ def _path_form(value: object) -> str:
 
 
 ToolPath = Annotated[
-    Annotated[list[FiniteFloat], Tag("place()")] | Annotated[list[list[FiniteFloat]], Tag("waypoints()")],
+    Annotated[list[Coordinate], Tag("place()")] | Annotated[list[list[Coordinate]], Tag("waypoints()")],
     Discriminator(_path_form),
 ]
 
@@ -63,8 +63,8 @@ class ToolHand(Table):
     amplitude: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
     frequency: NonNegative = 0.0
     phase: FiniteFloat = 0.0
-    stiffness: NonNegative = 135.0
-    damping: NonNegative = 6.45
+    stiffness: Firm = 135.0
+    damping: Firm = 6.45
     grip: Annotated[float, Field(ge=0.25, le=4.0)] = 1.0
     begin: NonNegative = 0.0
     release: NonNegative | None = None
@@ -267,7 +267,7 @@ class ToolTable(Table):
     kind: Kind = "touch"
     radius: Positive = 0.01
     mass: Positive = 0.05
-    stiffness: Positive = 1000.0
+    stiffness: Annotated[Positive, Field(le=1e15)] = 1000.0
     damping: NonNegative = 0.0
     friction: NonNegative = 0.0
     kinetic_friction: NonNegative | None = None

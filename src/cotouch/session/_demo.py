@@ -164,11 +164,12 @@ def _gather(
             break
         if all_move(api):
             break
-        for name, member in members.items():
-            if not member.running:
-                raise SessionError(
-                    f"{name} could not take part: {member.complaint() or 'its process ended without a message'}"
-                )
+        gone = next((name for name, member in members.items() if not member.running), None)
+        if gone is not None:
+            if stopped():  # Ctrl-C reaches everybody; the members may have ended first
+                raise KeyboardInterrupt
+            why = members[gone].complaint() or "its process ended without a message"
+            raise SessionError(f"{gone} could not take part: {why}")
         if time.monotonic() > patience:
             here = len(api.opened.host.watch.members)
             raise SessionError(f"{here} of {len(members)} users joined within {_PATIENCE:.0f} s; try fewer users")

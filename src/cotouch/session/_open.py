@@ -10,6 +10,7 @@ from tempfile import TemporaryDirectory
 from typing import final
 
 from cotouch.control import Endpoint, Invitation, ZenohControl, free_port
+from cotouch.errors import SessionError
 from cotouch.members import Admission, Host, SessionFile, SessionWatch, SharedModel, addresses_of
 from cotouch.pacing import few_arenas
 from cotouch.samples import Identity, UdpTransport
@@ -114,6 +115,11 @@ def open_host(
 
 
 def _new_host(session: SessionFile, listen: str, port: int | None) -> KeptHost:
+    if listen in {"0.0.0.0", "::"}:  # noqa: S104 - compared, not bound
+        raise SessionError(
+            f"{listen} stands for all addresses of this machine, which no invitation can name; give the one at which "
+            "others reach it"
+        )
     identity = Identity.make(os.urandom)
     invitation = Invitation.make(
         session=(session.scenario.title or "cotouch session")[:_MOST_TITLE],

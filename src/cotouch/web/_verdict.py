@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, final
 
-from cotouch.members import LinkStatus, Status
+from cotouch.members import LinkStatus, Status, margin_of
 from cotouch.observers import Overview
 
 # As in the ledger of a session: a residual above this share is no round-off; and joules that are.
@@ -58,7 +58,7 @@ def _broken(known: Sequence[Status], names: dict[int, str], left: bool) -> Verdi
         if status.alarms or status.residual > _ALARM:
             off = f"{status.residual:.0e} of the energy in play"
             return Verdict("bad", f"the energy ledger of {names[status.slot]} is off by {off}: do not trust this copy")
-    margin = sum(status.supplied + status.initial + status.initial_energies + status.depth for status in known)
+    margin = margin_of(known)
     if margin < -_ROUND_OFF and not left:
         return Verdict("bad", f"not safe: {-margin:.3g} J came out that nobody had put in")
     return None
