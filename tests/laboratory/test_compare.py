@@ -4,6 +4,7 @@ import json
 import re
 import tomllib
 from dataclasses import replace
+from math import nan
 from pathlib import Path
 from textwrap import dedent
 from typing import Any
@@ -90,6 +91,14 @@ def test_springs_without_damping_are_dangerous_at_long_delays_and_with_it_nowher
     found = danger(cell | {"study": part | {"laws": active}})
     assert found["dangerous"] == [False, True]
     assert found["cost"][0] < found["cost"][1]
+
+
+def test_a_ring_of_three_is_also_timed_and_mapped_with_two() -> None:
+    ring = {"graph": "ring", "users": [3], "laws": ["spring"], "felt": False, "tasks": ["carry"]}
+    found = compare(study(**ring, map={"delay": [0.01], "stiffness": [300.0]}), jobs=1)
+    assert np.isfinite(found["cost"].isel(hand=0).values).all()
+    assert np.isfinite(found["time"].values).all()
+    assert found["map_dangerous"].values.tolist() == [[[0.0]]]
 
 
 def test_what_does_not_come_to_rest_is_seen() -> None:
@@ -277,6 +286,7 @@ def test_the_study_in_the_documents_can_be_run() -> None:
         ({"duration": 1.0}, "duration is 1.0"),
         ({"period": 0.1}, "period is 0.1 s; in a run of 4 s it must be at most 0.04 s"),
         ({"laws": [{"name": "a"}]}, r"laws\[1\]: an entry of laws needs either law or replica"),
+        ({"map": {"delay": [0.1, nan], "stiffness": [1.0]}}, r"map.delay\[2\] is nan; it must be a finite number"),
         ({"networks": [{"name": "a", "delay": 0.1, "pick": ["b"]}]}, 'network "a" has pick, which picks users of'),
     ],
 )

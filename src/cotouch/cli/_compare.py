@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from cotouch.cli._output import counting, number, print_json
+from cotouch.cli._output import counting, literal, number, print_json
 from cotouch.files import beside, folder
 
 # In the folder of a comparison, and of a sweep.
@@ -50,14 +50,14 @@ def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) ->
         shown = Table(box=SIMPLE_HEAD, title=f"J with {users} users", title_justify="left", title_style="bold")
         shown.add_column("law")
         for network in networks:
-            shown.add_column(network, justify="right")
+            shown.add_column(literal(network), justify="right")
         for law in laws:
-            shown.add_row(law, *(_cell(*costs[law, network, users]) for network in networks))
+            shown.add_row(literal(law), *(_cell(*costs[law, network, users]) for network in networks))
         console.print(shown)
     for problem in json.loads(found.attrs["problems"]):
         console.print(f"  – {problem}", style="yellow", highlight=False, markup=False, soft_wrap=True)
     for file in files:
-        console.print(f"  wrote {file}", highlight=False, soft_wrap=True)
+        console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
 
 
 _DOING = {"tune": "Tuning the laws", "score": "Running tasks", "map": "Searching for unsafe cases"}
