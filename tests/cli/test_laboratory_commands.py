@@ -109,7 +109,7 @@ laws = ["spring", "wave"]
 draws = 2
 duration = 4.0
 tasks = ["carry"]
-networks = [{name = "[/near]", delay = 0.02}]
+networks = [{name = "[/near] $_{$", delay = 0.02}]
 tuning = {search = 0, local = 0}
 map = {delay = [0.01], stiffness = [300.0]}
 """
@@ -122,7 +122,7 @@ def test_compare_writes_results_and_report_and_resumes(tmp_path: Path) -> None:
     assert shown.returncode == 0, shown.stderr
     assert "J with 2 users" in shown.stdout
     assert "wave" in shown.stdout
-    assert "[/near]" in shown.stdout
+    assert "[/near] $_{$" in shown.stdout  # neither markup nor a formula
     report = (out / "report.html").read_text(encoding="utf-8")
     assert "<title>Two laws</title>" in report
     cells = {file.name: file.stat().st_mtime_ns for file in (out / "cells").iterdir()}
@@ -160,6 +160,6 @@ def test_compare_says_why_a_cell_is_empty(tmp_path: Path) -> None:
     study.write_text(text, encoding="utf-8")
     shown = here("compare", study, "--out", out)
     assert shown.returncode == 0, shown.stderr
-    said = 'wave, [/near]: network "[/near]" has 2 users; 3 are required'
+    said = 'wave, [/near] $_{$: network "[/near] $_{$" has 2 users; 3 are required'
     assert said in shown.stdout
     assert said in json.loads(here("compare", study, "--out", out, "--json").stdout)["problems"]
