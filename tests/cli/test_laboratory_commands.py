@@ -7,6 +7,8 @@ import pytest
 import xarray as xr
 from tests.cli.commands import here
 
+from cotouch.laws import End, Law, register
+
 SCENARIO = """
 [network]
 users = ["a", "b"]
@@ -132,6 +134,26 @@ def test_compare_writes_results_and_report_and_resumes(tmp_path: Path) -> None:
     with xr.open_dataset(out / "results.nc", engine="h5netcdf") as found:
         cost = found["cost"].sel(law="wave").isel(hand=0).mean().item()
     assert [row["cost"] for row in told["costs"] if row["law"] == "wave"] == pytest.approx([cost])
+
+
+def _kick(end: End) -> None:
+    end.push[0] = 10.0 if end.step < 20 else 0.0
+
+
+def _nothing(end: End) -> None:
+    pass
+
+
+def test_compare_names_a_law_that_makes_energy_although_it_promises_not_to(tmp_path: Path) -> None:
+    register(Law(name="kick", before=_kick, after=_nothing))
+    study, out = tmp_path / "study.toml", tmp_path / "out"
+    study.write_text(STUDY.replace('"wave"', '"kick"').replace("map =", "felt = false\nmap ="), encoding="utf-8")
+    shown = here("compare", study, "--out", out)
+    assert "– kick promises to be passive, but its links made" in shown.stdout
+    assert "laws that promise passivity and made energy: kick" in (out / "report.html").read_text(encoding="utf-8")
+    told = json.loads(here("compare", study, "--out", out, "--json").stdout)["broken_promises_j"]
+    assert list(told) == ["kick"]
+    assert told["kick"] > 0.0
 
 
 @pytest.mark.parametrize(

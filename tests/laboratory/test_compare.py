@@ -15,9 +15,9 @@ from scipy import stats
 from tests.laws.scenes import law_of
 
 from cotouch.errors import ScenarioError
-from cotouch.laboratory import MEASURES, Study, compare, ideal, mean_cost, measured, write_report
+from cotouch.laboratory import MEASURES, Study, broken, compare, ideal, mean_cost, measured, write_report
 from cotouch.laboratory._compare import danger
-from cotouch.laboratory._noticed import losing, multiples
+from cotouch.laboratory._noticed import losing, multiples, ours
 from cotouch.laboratory._score import dangerous
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, spread
 from cotouch.laboratory._tasks import TASKS
@@ -161,6 +161,10 @@ def test_results_intervals_danger_and_the_report(tmp_path: Path) -> None:
     # A law that lies about its energy is caught, and named.
     assert float(found["made"].sel(law="pushing").max()) > 0.0
     assert float(found["made"].sel(law=["rule", "wave"]).max()) == 0.0
+    assert list(broken(found)) == ["pushing"]
+    # Nor does it count among passive laws, however little it costs.
+    cheap = found.assign(cost=found["cost"].where(found["law"] != "pushing", 0.0))
+    assert ours(cheap, whole.model_copy(update={"ours": None})) == "wave"
     # The rule drags, so somewhere waves cost less for certain.
     cases = losing(found, whole)
     assert cases

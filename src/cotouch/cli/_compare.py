@@ -2,6 +2,7 @@
 
 import json
 from pathlib import Path
+from typing import Final
 
 import numpy as np
 
@@ -23,7 +24,7 @@ def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) ->
         as_json: whether to print one JSON object and nothing else on standard output.
     """
     from cotouch.files import write_netcdf
-    from cotouch.laboratory import Study, compare, mean_cost, write_report
+    from cotouch.laboratory import Study, broken, compare, mean_cost, write_report
 
     study = Study.read(path)
     beside(folder(out), [RESULTS, _REPORT], (path, *study.files()))
@@ -39,7 +40,8 @@ def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) ->
             for (law, network, users), (cost, half) in costs.items()
         ]
         problems = json.loads(found.attrs["problems"])
-        print_json({"title": study.title, "costs": table, "problems": problems, "files": [str(file) for file in files]})
+        told = {"title": study.title, "costs": table, "problems": problems, "broken_promises_j": broken(found)}
+        print_json({**told, "files": [str(file) for file in files]})
         return
     from rich.box import SIMPLE_HEAD
     from rich.console import Console
@@ -54,12 +56,18 @@ def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) ->
         for law in laws:
             shown.add_row(literal(law), *(_cell(*costs[law, network, users]) for network in networks))
         console.print(shown)
+    for law, energy in broken(found).items():
+        made = number(energy, "J", digits=3)
+        console.print(
+            f"  – {law} promises to be passive, but its links made {made} beyond its seed", style="red", **_AS_IS
+        )
     for problem in json.loads(found.attrs["problems"]):
-        console.print(f"  – {problem}", style="yellow", highlight=False, markup=False, soft_wrap=True)
+        console.print(f"  – {problem}", style="yellow", **_AS_IS)
     for file in files:
         console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
 
 
+_AS_IS: Final[dict[str, bool]] = {"highlight": False, "markup": False, "soft_wrap": True}
 _DOING = {"tune": "Tuning the laws", "score": "Running tasks", "map": "Searching for unsafe cases"}
 
 
