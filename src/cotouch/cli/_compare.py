@@ -2,7 +2,6 @@
 
 import json
 from pathlib import Path
-from typing import Final
 
 import numpy as np
 
@@ -57,17 +56,14 @@ def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) ->
             shown.add_row(literal(law), *(_cell(*costs[law, network, users]) for network in networks))
         console.print(shown)
     for law, energy in broken(found).items():
-        made = number(energy, "J", digits=3)
-        console.print(
-            f"  – {law} promises to be passive, but its links made {made} beyond its seed", style="red", **_AS_IS
-        )
+        told = f"  – {law} promises to be passive, but its links made {number(energy, 'J', digits=3)} beyond its seed"
+        console.print(told, style="red", highlight=False, markup=False, soft_wrap=True)
     for problem in json.loads(found.attrs["problems"]):
-        console.print(f"  – {problem}", style="yellow", **_AS_IS)
+        console.print(f"  – {problem}", style="yellow", highlight=False, markup=False, soft_wrap=True)
     for file in files:
         console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
 
 
-_AS_IS: Final[dict[str, bool]] = {"highlight": False, "markup": False, "soft_wrap": True}
 _DOING = {"tune": "Tuning the laws", "score": "Running tasks", "map": "Searching for unsafe cases"}
 
 
