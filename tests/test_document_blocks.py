@@ -3,6 +3,7 @@
 import json
 import re
 import socket
+import sys
 import tomllib
 from collections.abc import Callable, Generator
 from contextlib import contextmanager, nullcontext
@@ -23,6 +24,7 @@ from tests.web.fake_session_api import FakeSessionApi
 from cotouch.cli import app
 from cotouch.haptics import GROUP, Driver, driver
 from cotouch.laboratory import Study
+from cotouch.laws import laws
 from cotouch.mechanics import CONTACT_LAWS, device_couplings
 from cotouch.members import SessionFile
 from cotouch.scenario import Scenario
@@ -174,17 +176,31 @@ def run_block(block: Block, names: Names) -> None:
             read_command(words)
 
 
+@contextmanager
+def desk_in(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Generator[None]:
+    """An empty folder with the examples beside it, from which modules are imported. What a page adds goes again."""
+    contacts, modules = dict(CONTACT_LAWS), dict(sys.modules)
+    (folder / "examples").symlink_to(ROOT / "examples")
+    monkeypatch.setattr("cotouch.mechanics._coupling_law._KNOWN", device_couplings())
+    monkeypatch.setattr("cotouch.laws._law._KNOWN", laws())
+    monkeypatch.chdir(folder)
+    monkeypatch.syspath_prepend(str(folder))
+    try:
+        yield
+    finally:
+        for law in CONTACT_LAWS.keys() - contacts.keys():
+            del CONTACT_LAWS[law]
+        # Else whoever imports a module of that name from another folder gets this one, which registers nothing.
+        for name in sys.modules.keys() - modules.keys():
+            if Path(getattr(sys.modules[name], "__file__", None) or ROOT).is_relative_to(folder):
+                del sys.modules[name]
+
+
 @pytest.fixture
 def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Generator[Path]:
-    """An empty folder with the examples beside it, from which modules are imported. Contact laws of a page go again."""
-    laws = dict(CONTACT_LAWS)
-    (tmp_path / "examples").symlink_to(ROOT / "examples")
-    monkeypatch.setattr("cotouch.mechanics._coupling_law._KNOWN", device_couplings())
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.syspath_prepend(str(tmp_path))
-    yield tmp_path
-    for law in CONTACT_LAWS.keys() - laws.keys():
-        del CONTACT_LAWS[law]
+    """A desk for one page."""
+    with desk_in(tmp_path, monkeypatch):
+        yield tmp_path
 
 
 @pytest.mark.parametrize(
@@ -196,6 +212,17 @@ def test_every_block_runs(page: Path, desk: Path):
     for block in blocks_of(page):
         run_block(block, names)
     assert all(finding.passed for finding in names.get("findings", []))
+
+
+def test_what_a_page_adds_goes_again(tmp_path: Path):
+    for said in (1, 2):
+        folder = tmp_path / str(said)
+        folder.mkdir()
+        with pytest.MonkeyPatch.context() as patch, desk_in(folder, patch):
+            run_block(Block("python", "of_a_page.py", f"said = {said}\n"), {})
+            names: Names = {}
+            run_block(Block("python", "", "import of_a_page\nsaid = of_a_page.said\n"), names)
+        assert names["said"] == said
 
 
 def test_no_page_hides_code_in_a_block_of_another_kind():

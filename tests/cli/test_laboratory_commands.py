@@ -7,6 +7,8 @@ import pytest
 import xarray as xr
 from tests.cli.commands import here
 
+from cotouch.laws import End, Law, register
+
 SCENARIO = """
 [network]
 users = ["a", "b"]
@@ -109,7 +111,7 @@ laws = ["spring", "wave"]
 draws = 2
 duration = 4.0
 tasks = ["carry"]
-networks = [{name = "near", delay = 0.02}]
+networks = [{name = "[/near] $_{$", delay = 0.02}]
 tuning = {search = 0, local = 0}
 map = {delay = [0.01], stiffness = [300.0]}
 """
@@ -122,6 +124,7 @@ def test_compare_writes_results_and_report_and_resumes(tmp_path: Path) -> None:
     assert shown.returncode == 0, shown.stderr
     assert "J with 2 users" in shown.stdout
     assert "wave" in shown.stdout
+    assert "[/near] $_{$" in shown.stdout  # neither markup nor a formula
     report = (out / "report.html").read_text(encoding="utf-8")
     assert "<title>Two laws</title>" in report
     cells = {file.name: file.stat().st_mtime_ns for file in (out / "cells").iterdir()}
@@ -131,6 +134,26 @@ def test_compare_writes_results_and_report_and_resumes(tmp_path: Path) -> None:
     with xr.open_dataset(out / "results.nc", engine="h5netcdf") as found:
         cost = found["cost"].sel(law="wave").isel(hand=0).mean().item()
     assert [row["cost"] for row in told["costs"] if row["law"] == "wave"] == pytest.approx([cost])
+
+
+def _kick(end: End) -> None:
+    end.push[0] = 10.0 if end.step < 20 else 0.0
+
+
+def _nothing(end: End) -> None:
+    pass
+
+
+def test_compare_names_a_law_that_makes_energy_although_it_promises_not_to(tmp_path: Path) -> None:
+    register(Law(name="kick", before=_kick, after=_nothing))
+    study, out = tmp_path / "study.toml", tmp_path / "out"
+    study.write_text(STUDY.replace('"wave"', '"kick"').replace("map =", "felt = false\nmap ="), encoding="utf-8")
+    shown = here("compare", study, "--out", out)
+    assert "– kick promises to be passive, but its links made" in shown.stdout
+    assert "laws that promise passivity and made energy: kick" in (out / "report.html").read_text(encoding="utf-8")
+    told = json.loads(here("compare", study, "--out", out, "--json").stdout)["broken_promises_j"]
+    assert list(told) == ["kick"]
+    assert told["kick"] > 0.0
 
 
 @pytest.mark.parametrize(
@@ -159,6 +182,6 @@ def test_compare_says_why_a_cell_is_empty(tmp_path: Path) -> None:
     study.write_text(text, encoding="utf-8")
     shown = here("compare", study, "--out", out)
     assert shown.returncode == 0, shown.stderr
-    said = 'wave, near: network "near" has 2 users; 3 are required'
+    said = 'wave, [/near] $_{$: network "[/near] $_{$" has 2 users; 3 are required'
     assert said in shown.stdout
     assert said in json.loads(here("compare", study, "--out", out, "--json").stdout)["problems"]

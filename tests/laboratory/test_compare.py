@@ -4,6 +4,7 @@ import json
 import re
 import tomllib
 from dataclasses import replace
+from math import nan
 from pathlib import Path
 from textwrap import dedent
 from typing import Any
@@ -14,9 +15,9 @@ from scipy import stats
 from tests.laws.scenes import law_of
 
 from cotouch.errors import ScenarioError
-from cotouch.laboratory import MEASURES, Study, compare, ideal, mean_cost, measured, write_report
+from cotouch.laboratory import MEASURES, Study, broken, compare, ideal, mean_cost, measured, write_report
 from cotouch.laboratory._compare import danger
-from cotouch.laboratory._noticed import losing, multiples
+from cotouch.laboratory._noticed import losing, multiples, ours
 from cotouch.laboratory._score import dangerous
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, spread
 from cotouch.laboratory._tasks import TASKS
@@ -92,6 +93,14 @@ def test_springs_without_damping_are_dangerous_at_long_delays_and_with_it_nowher
     assert found["cost"][0] < found["cost"][1]
 
 
+def test_a_ring_of_three_is_also_timed_and_mapped_with_two() -> None:
+    ring = {"graph": "ring", "users": [3], "laws": ["spring"], "felt": False, "tasks": ["carry"]}
+    found = compare(study(**ring, map={"delay": [0.01], "stiffness": [300.0]}), jobs=1)
+    assert np.isfinite(found["cost"].isel(hand=0).values).all()
+    assert np.isfinite(found["time"].values).all()
+    assert found["map_dangerous"].values.tolist() == [[[0.0]]]
+
+
 def test_what_does_not_come_to_rest_is_seen() -> None:
     """Two who pull apart through an account that is soon empty: copies shivered, and no push told."""
     laws = [{"name": "shivers", "law": {"kind": "paid", "still": 0.0}}, "paid"]
@@ -152,6 +161,10 @@ def test_results_intervals_danger_and_the_report(tmp_path: Path) -> None:
     # A law that lies about its energy is caught, and named.
     assert float(found["made"].sel(law="pushing").max()) > 0.0
     assert float(found["made"].sel(law=["rule", "wave"]).max()) == 0.0
+    assert list(broken(found)) == ["pushing"]
+    # Nor does it count among passive laws, however little it costs.
+    cheap = found.assign(cost=found["cost"].where(found["law"] != "pushing", 0.0))
+    assert ours(cheap, whole.model_copy(update={"ours": None})) == "wave"
     # The rule drags, so somewhere waves cost less for certain.
     cases = losing(found, whole)
     assert cases
@@ -277,6 +290,7 @@ def test_the_study_in_the_documents_can_be_run() -> None:
         ({"duration": 1.0}, "duration is 1.0"),
         ({"period": 0.1}, "period is 0.1 s; in a run of 4 s it must be at most 0.04 s"),
         ({"laws": [{"name": "a"}]}, r"laws\[1\]: an entry of laws needs either law or replica"),
+        ({"map": {"delay": [0.1, nan], "stiffness": [1.0]}}, r"map.delay\[2\] is nan; it must be a finite number"),
         ({"networks": [{"name": "a", "delay": 0.1, "pick": ["b"]}]}, 'network "a" has pick, which picks users of'),
     ],
 )

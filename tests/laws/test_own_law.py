@@ -3,7 +3,7 @@
 import re
 import runpy
 from dataclasses import replace
-from math import nan
+from math import inf, nan
 from pathlib import Path
 from typing import Any
 
@@ -123,6 +123,60 @@ def test_a_law_that_lies_about_its_energy_is_caught() -> None:
     assert judged["made_j"] > judged["seed_j"] == 0.0
     assert not judged["kept"]
     assert judged["law"] == "liar"
+
+
+def _too_far(end: End) -> None:
+    end.push[0] = nan if end.step > 10 else 0.0
+    end.gains[1] = 1.0
+
+
+def test_a_law_whose_motion_leaves_floating_point_keeps_no_promise() -> None:
+    register(Law(name="mad", before=_too_far, after=_silent))
+    run = simulate(scenario("mad", steps={"duration": 0.1}))
+    assert not run.attrs["finished"]
+    judged = judge(run)
+    assert judged["promised"]
+    assert not judged["kept"]
+    assert judged["made_j"] == inf
+
+
+def _slip(end: End) -> None:
+    end.gains[0] = end.sprung  # pyright: ignore[reportAttributeAccessIssue]
+
+
+def _new_array(end: End) -> None:
+    end.push[:] = end.spring * (end.sample - end.position)
+
+
+def _moves(end: End) -> None:
+    end.velocity[0] *= 1.01
+
+
+def _moves_by_copying(end: End) -> None:
+    copy(end.position, end.sample)
+
+
+def _two(end: End, other: End) -> None:
+    copy(end.push, other.push)
+
+
+@pytest.mark.parametrize(
+    ("half", "cause"),
+    [
+        (_slip, r"Unknown attribute 'sprung' of type End \(test_own_law.py, line \d+\)"),
+        (_new_array, "it makes a new array, .* loop over the numbers"),
+        (_moves, "it writes an array of End that is no result, memory or message of its own"),
+        (_moves_by_copying, "it writes an array of End that is no result, memory or message of its own"),
+        (_two, r"Signature mismatch: 1 argument types given, but function takes 2 arguments \(.*, function _two\)"),
+        (print, "is no function written in Python"),
+    ],
+)
+def test_what_cannot_be_compiled_is_one_sentence(half: Any, cause: str) -> None:
+    """It ended the process when a run asked for the machine code; what moves copies without work would be no law."""
+    for law in (Law(name="wrong", before=half, after=_silent), Law(name="wrong", before=_silent, after=half)):
+        with pytest.raises(NetworkError, match=f'^law "wrong" cannot be compiled: .*{cause}') as caught:
+            _ = law.parts
+        assert "\n" not in str(caught.value)
 
 
 def _negative(end: End) -> None:

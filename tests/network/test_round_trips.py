@@ -41,6 +41,14 @@ def test_picked_in_the_order_said_and_by_a_quantile(tmp_path):
     assert Network.from_delays(paths).delay[0, 1] == pytest.approx(0.1)
 
 
+def test_what_is_not_between_picked_users_may_be_anything(tmp_path):
+    """As a big measured table has it, of which a few users are picked; nobody asks for the way to oneself either."""
+    path = write(tmp_path, TABLE.replace("Cleo,,,0", "Cleo,nan,-1,x").replace("Ann,0", "Ann,nan").replace("60", "inf"))
+    assert Network.from_delays(path, pick=["Ann", "Ben"]).delay[0, 1] == pytest.approx(0.06)
+    with pytest.raises(NetworkError, match='from "Ben" to "Cleo" is "inf"'):
+        Network.from_delays(path, pick=["Ben", "Cleo"])
+
+
 @pytest.mark.parametrize(
     ("text", "options", "message"),
     [

@@ -115,6 +115,8 @@ def test_a_file_is_found_beside_the_scenario(tmp_path: Path) -> None:
         (ROWS, {"column": "owd_ms"}, 'has no column "owd_ms"; its first row names send_s, rtt_ms'),
         (ROWS.replace("80", "-80"), {}, 'rtt_ms in line 4 is "-80"; it must be a finite number, at least 0'),
         (ROWS.replace("80", "nan"), {}, 'rtt_ms in line 4 is "nan"; it must be a finite number'),
+        (ROWS.replace("\n10.2,80", "\n\n10.2,x"), {}, 'rtt_ms in line 5 is "x"; it must be a finite number'),
+        (ROWS.replace("10.2", "1e308"), {}, 'send_s in line 4 is "1e308"; it must be a finite number'),
         (ROWS.replace("80", "inf"), {}, 'rtt_ms in line 4 is "inf"; it must be a finite number'),
         (ROWS.replace("10.2,80", "10.2"), {}, 'rtt_ms in line 4 is ""; it must be a finite number'),
         (ROWS.replace("80", "8000"), {}, "rtt_ms in line 4 is 8 s; if that is no mistake .* set channel.trace.most"),

@@ -92,6 +92,21 @@ def test_it_says_less_and_moves_alike() -> None:
     assert 0.0 < apart < 0.001
 
 
+def test_springs_say_less_with_a_larger_deadband() -> None:
+    """A large error emptied the account, and then all was said in full as long as that error might be in use."""
+    plain = Scenario.make(
+        network=two(0.05),
+        synchronisation={"law": "spring"},
+        steps={"duration": 2.0, "period": 0.002},
+        hands=[
+            {"user": i, "path": x, "stiffness": 300.0, "damping": 6.5, "amplitude": 0.03, "frequency": 0.6}
+            for i, x in ((1, 0.05), (2, -0.05))
+        ],
+    )
+    little, much = (simulate(plain.replace(channel__codec={"deadband": one})).attrs["contents"] for one in (0.05, 0.2))
+    assert much < 0.9 * little
+
+
 def test_rule_damping_grows_by_the_age_of_the_codec_and_by_what_losses_may_cost() -> None:
     plain = Scenario.make(network=two(), synchronisation={"law": "spring"}, steps={"duration": 0.5, "period": 0.001})
     coded = plain.replace(channel__codec={"age": 0.004})

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from cotouch.cli._output import counting, number, print_json
+from cotouch.cli._output import counting, literal, number, print_json
 from cotouch.files import beside, folder
 
 # In the folder of a comparison, and of a sweep.
@@ -23,7 +23,7 @@ def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) ->
         as_json: whether to print one JSON object and nothing else on standard output.
     """
     from cotouch.files import write_netcdf
-    from cotouch.laboratory import Study, compare, mean_cost, write_report
+    from cotouch.laboratory import Study, broken, compare, mean_cost, write_report
 
     study = Study.read(path)
     beside(folder(out), [RESULTS, _REPORT], (path, *study.files()))
@@ -39,7 +39,8 @@ def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) ->
             for (law, network, users), (cost, half) in costs.items()
         ]
         problems = json.loads(found.attrs["problems"])
-        print_json({"title": study.title, "costs": table, "problems": problems, "files": [str(file) for file in files]})
+        told = {"title": study.title, "costs": table, "problems": problems, "broken_promises_j": broken(found)}
+        print_json({**told, "files": [str(file) for file in files]})
         return
     from rich.box import SIMPLE_HEAD
     from rich.console import Console
@@ -50,14 +51,17 @@ def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) ->
         shown = Table(box=SIMPLE_HEAD, title=f"J with {users} users", title_justify="left", title_style="bold")
         shown.add_column("law")
         for network in networks:
-            shown.add_column(network, justify="right")
+            shown.add_column(literal(network), justify="right")
         for law in laws:
-            shown.add_row(law, *(_cell(*costs[law, network, users]) for network in networks))
+            shown.add_row(literal(law), *(_cell(*costs[law, network, users]) for network in networks))
         console.print(shown)
+    for law, energy in broken(found).items():
+        told = f"  – {law} promises to be passive, but its links made {number(energy, 'J', digits=3)} beyond its seed"
+        console.print(told, style="red", highlight=False, markup=False, soft_wrap=True)
     for problem in json.loads(found.attrs["problems"]):
         console.print(f"  – {problem}", style="yellow", highlight=False, markup=False, soft_wrap=True)
     for file in files:
-        console.print(f"  wrote {file}", highlight=False, soft_wrap=True)
+        console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
 
 
 _DOING = {"tune": "Tuning the laws", "score": "Running tasks", "map": "Searching for unsafe cases"}

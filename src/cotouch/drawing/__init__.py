@@ -3,7 +3,7 @@
 Nothing here knows what is drawn: numbers, names and colours come in, lines and texts go out.
 """
 
-from cotouch.drawing._lines import decimate, end_labels, peak, prefix
+from cotouch.drawing._lines import decimate, end_labels, peak, plain, prefix
 from cotouch.drawing._network import MANY_USERS, network
 from cotouch.drawing._style import (
     ALARM,
@@ -40,6 +40,7 @@ __all__ = [
     "figure_legend",
     "network",
     "peak",
+    "plain",
     "prefix",
     "sheet",
     "style",

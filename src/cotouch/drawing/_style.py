@@ -7,6 +7,8 @@ from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Final, TypeAlias, cast
 
+from cotouch.drawing._lines import plain
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
@@ -154,4 +156,4 @@ def _marks(names: Sequence[str]) -> "tuple[list[Line2D], list[str]]":
 
     lines: list[dict[str, Any]] = [user_line(i) for i in range(len(names))]
     marks = [Line2D([], [], color=line["color"], linestyle=line["linestyle"], linewidth=1.8) for line in lines]
-    return [Line2D([], [], linestyle="none"), *marks], ["user", *names]
+    return [Line2D([], [], linestyle="none"), *marks], ["user", *map(plain, names)]

@@ -6,7 +6,7 @@ from cotouch.laboratory._compare_report import write_report
 from cotouch.laboratory._feel_figure import impedance_figure
 from cotouch.laboratory._ideal import Ideal, ideal
 from cotouch.laboratory._impedance import Others, impedance
-from cotouch.laboratory._noticed import mean_cost
+from cotouch.laboratory._noticed import broken, mean_cost
 from cotouch.laboratory._quality import etvo, hpw_psnr, psnr
 from cotouch.laboratory._score import MEASURES, measured
 from cotouch.laboratory._study import Study
@@ -23,6 +23,7 @@ __all__ = [
     "Progress",
     "Study",
     "books",
+    "broken",
     "compare",
     "etvo",
     "hpw_psnr",

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from cotouch.arrays import Bool
-from cotouch.drawing import ALARM, DASHES, INK, MUTED, USERS, sheet
+from cotouch.drawing import ALARM, DASHES, INK, MUTED, USERS, plain, sheet
 from cotouch.laboratory._noticed import chosen, is_dangerous
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ def maps(data: "xr.Dataset") -> "Figure":
         x, y = np.arange(delay.size + 1), np.arange(stiffness.size + 1)
         shades = panel.pcolormesh(x, y, cost, cmap="Blues", norm=LogNorm(_LOW, _HIGH), linewidth=0)
         _line(panel, risky)
-        panel.set_title(law)
+        panel.set_title(plain(law))
         panel.grid(visible=False)
         panel.set_xticks(x[:-1] + 0.5, labels=[f"{value:g}" for value in delay])
         panel.set_yticks(y[:-1] + 0.5, labels=[f"{value:g}" for value in stiffness])
@@ -111,7 +111,12 @@ def fronts(data: "xr.Dataset", users: int, across: str) -> "Figure":
             look = {"color": USERS[index % len(USERS)], "marker": _MARKS[index % len(_MARKS)], "ls": ""}
             filled = "none" if risky else look["color"]
             (line,) = panel.plot(
-                [drag] if fine else [], [error] if fine else [], markersize=5, markerfacecolor=filled, label=law, **look
+                [drag] if fine else [],
+                [error] if fine else [],
+                markersize=5,
+                markerfacecolor=filled,
+                label=plain(law),
+                **look,
             )
             if len(lines) < len(laws):
                 lines.append(line)
@@ -120,7 +125,7 @@ def fronts(data: "xr.Dataset", users: int, across: str) -> "Figure":
             panel.step(
                 *zip(*front, strict=True), where="post", color=MUTED, linewidth=0.9, linestyle=DASHES[1], zorder=0
             )
-        panel.set_title(network)
+        panel.set_title(plain(network))
         panel.margins(x=0.12)
         panel.set_yscale("log")
         panel.set_ylabel("error of place / mm" if panel in panels[:, 0] else "")

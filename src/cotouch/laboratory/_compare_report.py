@@ -13,7 +13,7 @@ from cotouch.device import NOTICED
 from cotouch.drawing import style
 from cotouch.files import write
 from cotouch.laboratory._compare_figures import fronts, maps
-from cotouch.laboratory._noticed import chosen, is_dangerous, losing, mean_cost, multiples, ours
+from cotouch.laboratory._noticed import able, broken, chosen, is_dangerous, losing, mean_cost, multiples, ours
 from cotouch.laboratory._study import Study
 from cotouch.pages import Section, figure, num, page, table, verdict
 
@@ -61,10 +61,10 @@ def _lead(data: "xr.Dataset", study: Study) -> str:
     places = [
         (network, users) for network in data["network"].values.tolist() for users in data["users"].values.tolist()
     ]
-    able = [law for law in data["law"].values.tolist() if float(data["promises"].sel(law=law)) == 1.0]
+    passive, liars = able(data), list(broken(data))
     won = (
-        sum(min(able, key=lambda law: _sure(costs[law, network, users][0])) == own for network, users in places)
-        if own in able
+        sum(min(passive, key=lambda law: _sure(costs[law, network, users][0])) == own for network, users in places)
+        if own in passive
         else 0
     )
     risky = [
@@ -72,8 +72,6 @@ def _lead(data: "xr.Dataset", study: Study) -> str:
         for law in data["law"].values.tolist()
         if any(is_dangerous(data, law, *place, hand=h) for place in places for h in range(data.sizes["hand"]))
     ]
-    made = data["made"].sel(tuning=chosen(data)).max(dim=[d for d in data["made"].dims if d not in {"law", "tuning"}])
-    liars = [law for law in able if float(made.sel(law=law)) > 0.0]
     runs = int(np.isfinite(data["cost"].values).sum())
     cards = (
         (escape(own), "law whose losing cases come first"),

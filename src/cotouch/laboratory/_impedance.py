@@ -196,4 +196,4 @@ def _measured(still: Scenario, user: int, node: int, axis: int, tone: float) -> 
     rate = np.diff(place)[window] / length[window]
     both, *_ = np.linalg.lstsq(waves, np.stack([pushed[window], rate], axis=1), rcond=None)
     f, v = both[0] - 1j * both[1]
-    return complex(f / v)
+    return complex(f / v) if v else complex("nan")

@@ -77,6 +77,32 @@ def is_dangerous(data: "xr.Dataset", law: str, network: str, users: int, *, hand
     return bool(here["dangerous"] == 1.0) or bool(np.isinf(here["cost"].values).any())
 
 
+def broken(data: "xr.Dataset") -> dict[str, float]:
+    """Laws that promise to make no energy beyond their seed and did, and the most that one made beyond it [J].
+
+    Args:
+        data: of `compare`.
+    """
+    made = data["made"].sel(tuning=chosen(data))
+    most = made.max(dim=[dim for dim in made.dims if dim != "law"])
+    found = {law: float(most.sel(law=law)) for law in data["law"].values.tolist()}
+    return {
+        law: energy for law, energy in found.items() if energy > 0.0 and float(data["promises"].sel(law=law)) == 1.0
+    }
+
+
+def able(data: "xr.Dataset") -> list[str]:
+    """Laws that promise to make no energy beyond their seed, and did not.
+
+    Args:
+        data: of `compare`.
+    """
+    liars = broken(data)
+    return [
+        law for law in data["law"].values.tolist() if float(data["promises"].sel(law=law)) == 1.0 and law not in liars
+    ]
+
+
 def ours(data: "xr.Dataset", study: Study) -> str:
     """The law whose losing cases come first: the study's, or the one that promises most for least.
 
@@ -88,13 +114,12 @@ def ours(data: "xr.Dataset", study: Study) -> str:
         return study.ours
     costs = mean_cost(data)
     laws = data["law"].values.tolist()
-    able = [law for law in laws if float(data["promises"].sel(law=law)) == 1.0] or laws
 
     def total(law: str) -> float:
         values = [cost for (name, _, _), (cost, _) in costs.items() if name == law]
         return float(np.mean(values)) if np.isfinite(values).all() else float("inf")
 
-    return min(able, key=total)
+    return min(able(data) or laws, key=total)
 
 
 class Loss(TypedDict):

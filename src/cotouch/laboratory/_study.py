@@ -206,7 +206,8 @@ class Study(Table):
             known = np.full((users, users), self.spring * factor)
             np.fill_diagonal(delay, 0.0)
         spring = np.zeros((users, users))
-        for a, b in _GRAPHS[self.graph](users):
+        # Of two, as in a map or while tuning, a ring is their link.
+        for a, b in _GRAPHS["path" if users == 2 else self.graph](users):
             spring[a, b], spring[b, a] = known[a, b], known[b, a]
         return Network(users=names, spring=spring, delay=delay)
 

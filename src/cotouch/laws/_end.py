@@ -109,17 +109,21 @@ class Handed(types.Type):
     """
 
     def __init__(self) -> None:
-        super().__init__(name="Handed")
+        super().__init__(name="End")  # as a law calls it, for messages of the compiler
 
 
 register_model(Handed)(models.OpaqueModel)
 
 _HANDED = Handed()
 _SIGNATURE: Any = types.void(_HANDED)
-_ROW, _TABLE = types.Array(types.float64, 1, "C"), types.Array(types.float64, 2, "C")
 _TABLES = {"received", "memory", "shared", "sent"}
+# The only arrays that a law may write; others are the engine's own, and writing them would be motion without any work.
+_OWN = {"memory", "scalars", "shared", "shared_scalars", "target", "push", "gains", "sent", "sent_scalars"}
 _SCALARS: dict[Any, Any] = {float: types.float64, int: types.intp, bool: types.boolean}
-_KINDS = {name: _SCALARS.get(kind, _TABLE if name in _TABLES else _ROW) for name, kind in End.__annotations__.items()}
+_KINDS = {
+    name: _SCALARS.get(kind, types.Array(types.float64, 1 + (name in _TABLES), "C", readonly=name not in _OWN))
+    for name, kind in End.__annotations__.items()
+}
 # Where each begins, in words of 8 bytes: a number is one, an array its address and its sizes.
 _SIZES = [1 + (kind.ndim if isinstance(kind, types.Array) else 0) for kind in _KINDS.values()]
 _PLACES = dict(zip(_KINDS, np.cumsum([0, *_SIZES[:-1]]).tolist(), strict=True))
@@ -223,19 +227,22 @@ class Part(types.WrapperAddressProtocol):
     """A compiled half of a law. Engines call it by its address, so one engine, compiled once, serves all laws."""
 
     def __init__(self, function: Callable[[End], None]) -> None:
+        """Compiles it, because a failure while numba asks for the address would end the process.
+
+        Args:
+            function: half of a law.
+        """
         self._function = function
-        self._address = 0
+        compiled = _compiled(function)
+        compiled.compile(_SIGNATURE)
+        made: Any = CompileResultWAP(compiled.overloads[_SIGNATURE.args])
+        self._address = int(made.__wrapper_address__())
 
     def __call__(self, end: End) -> None:
         """The function as it was written, not compiled."""
         self._function(end)
 
     def __wrapper_address__(self) -> int:
-        if not self._address:
-            compiled = _compiled(self._function)
-            compiled.compile(_SIGNATURE)
-            made: Any = CompileResultWAP(compiled.overloads[_SIGNATURE.args])
-            self._address = int(made.__wrapper_address__())
         return self._address
 
     def signature(self) -> Any:

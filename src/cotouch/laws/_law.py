@@ -8,6 +8,7 @@ from typing import TypeAlias, final
 
 from cotouch.errors import NetworkError
 from cotouch.laws._end import End, Part
+from cotouch.laws._reason import reason
 
 # Parameter of laws that can go live: most that a neighbour may push with [N].
 FORCE = "force"
@@ -205,9 +206,13 @@ class Law:
 
     @property
     def parts(self) -> tuple[Part, Part]:
-        """Its two functions as machine code, made on first use."""
+        """Its two functions as machine code, made on first use.
+
+        Raises:
+            NetworkError: one cannot be compiled.
+        """
         if not self._parts:
-            self._parts.extend((Part(self.before), Part(self.after)))
+            self._parts.extend([self._part(half) for half in (self.before, self.after)])
         return self._parts[0], self._parts[1]
 
     @property
@@ -230,6 +235,12 @@ class Law:
         held = self.sends, self.sends_scalars, self.sums, self.energies, self.length, self.counts, self.origin_force
         said = (*held, [known.name for known in self.parameters])
         return f"{self.name} {sha256(repr(said).encode()).hexdigest()[:16]}"
+
+    def _part(self, half: Half) -> Part:
+        try:
+            return Part(half)
+        except Exception as error:  # what somebody wrote may be wrong in any way
+            raise NetworkError(f'law "{self.name}" cannot be compiled: {reason(error, half)}') from error
 
     def check(self, given: Mapping[str, object]) -> None:
         """Whether parameters are its own, and in range.

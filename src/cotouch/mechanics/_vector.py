@@ -50,6 +50,11 @@ def _contiguous(array: Any) -> None:
         raise TypingError(f"kernels read C-contiguous arrays only, not {array}")
 
 
+def _writable(array: Any) -> None:
+    if not array.mutable:
+        raise TypingError("Cannot modify readonly array")
+
+
 def _row(context: Any, builder: Any, array_type: Any, array: Any, row: Any, width: int) -> Any:
     data = context.make_array(array_type)(context, builder, array).data
     pointer = builder.gep(data, [builder.mul(row, ir.Constant(row.type, width))])
@@ -98,6 +103,7 @@ def store(typingctx: Any, field: Any, row: Any, value: Any, lanes: Any) -> Any:
     """
     del typingctx, row, value
     _contiguous(field)
+    _writable(field)
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         pointer = _row(context, builder, signature.args[0], args[0], args[1], lanes.count)
@@ -301,6 +307,7 @@ def put(typingctx: Any, array: Any, index: Any, value: Any) -> Any:
     """
     del typingctx, value
     _contiguous(array)
+    _writable(array)
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         context.pack_value(builder, array.dtype, args[2], _element(context, builder, signature, args))

@@ -14,11 +14,15 @@ from cotouch.files import read_text
 _MOST_USERS = 2000
 
 
-def read_round_trips(path: str | Path) -> tuple[tuple[str, ...], Float]:
+def read_round_trips(path: str | Path, pick: Sequence[str] = ()) -> tuple[tuple[str, ...], Float]:
     """A table of round trips in ms: the first row and column are names, an empty field was not measured.
 
+    Args:
+        path: of a CSV file.
+        pick: names of the users between whom fields are read; others may hold anything. Empty: all are read.
+
     Returns:
-        The names, and round trips in s, (N, N), row from, column to, NaN where not measured.
+        The names, and round trips in s, (N, N), row from, column to, NaN where not measured or not picked.
 
     Raises:
         NetworkError: the file cannot be read, or something in it is wrong; the message names the place.
@@ -47,7 +51,7 @@ def read_round_trips(path: str | Path) -> tuple[tuple[str, ...], Float]:
                 f'{source}: the row of "{names[i]}" has {len(row) - 1} fields; it must have {len(names)}'
             )
         for j, field in enumerate(row[1:]):
-            if not field.strip():
+            if not field.strip() or i == j or (pick and not {names[i], names[j]} <= set(pick)):
                 continue
             try:
                 value = float(field)
@@ -82,7 +86,7 @@ def delays_of_round_trips(
         raise NetworkError("no table of round trips is given")
     if not 0 <= quantile <= 1:
         raise NetworkError(f"quantile is {quantile:g}; it must be between 0 and 1")
-    tables = [read_round_trips(path) for path in paths]
+    tables = [read_round_trips(path, pick) for path in paths]
     names = tables[0][0]
     for path, (others, _) in zip(paths, tables, strict=True):
         if others != names:

@@ -16,6 +16,10 @@ from cotouch.arrays import Float
 from cotouch.peer._content import FULL, ROUNDED, Content, ContentForm, norms
 from cotouch.peer._links import PLAIN, LinkHeader, Sample
 
+# What is left out may cost at most this part of what the account holds: after a large error that emptied it, all would
+# have to be said in full for as long as that error may be in use.
+_RESERVE = 16.0
+
 
 @final
 class Account:
@@ -139,7 +143,8 @@ class Encoder:
         if not exact and base is not None and 1 <= sample.index - base.index <= hold:
             continued, told = form.at(base, sample.stamp, T)
             error = self._error(continued[0] - fields[0])
-            if self._close(fields, scalars, continued, told, base, sample.stamp) and self._affords(error, T):
+            near = self._close(fields, scalars, continued, told, base, sample.stamp)
+            if near and self._affords(_RESERVE * error, T):
                 self.said = sample.index - base.index
                 words = [bytes([self.said])]
         if not words:

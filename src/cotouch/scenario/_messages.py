@@ -72,6 +72,7 @@ def _count(bound: Mapping[str, object]) -> str:
 def _place(parts: tuple[int | str, ...]) -> str:
     """Where in the file, as a reader would write it; pydantic's names of types are left out."""
     place = ""
+    last = max((depth for depth, part in enumerate(parts) if isinstance(part, str)), default=0)
     for depth, part in enumerate(parts):
         if isinstance(part, int):
             place += f"[{part + 1}]"
@@ -79,7 +80,7 @@ def _place(parts: tuple[int | str, ...]) -> str:
             continue  # which sort of body it was taken for
         elif depth in {3, 4} and parts[0] == "tools" and parts[3] == "solid":
             continue
-        elif depth == 0 or part in _OPTIONS or (depth == len(parts) - 1 and not any(mark in part for mark in "[(-")):
+        elif depth == 0 or part in _OPTIONS or (depth == last and not any(mark in part for mark in "[(-")):
             place += f".{part}" if place else part
     for name in ("float", "int", "str", "bool"):
         place = place.removesuffix(f".{name}")

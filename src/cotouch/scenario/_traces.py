@@ -14,6 +14,8 @@ from cotouch.scenario._tables import Positive, Table
 
 _MOST_BYTES = 64_000_000
 _MOST_ROWS = 2_000_000
+# No clock of any unit shows more; twice that is a number still.
+_MOST = 1e100
 _UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
 Unit = Literal["s", "ms", "us"]
 
@@ -129,34 +131,34 @@ class TraceTable(Table):
         rows = csv.reader(text.splitlines(), skipinitialspace=True)
         try:
             names = [name.strip() for name in next(rows, list[str]())]
-            kept = [row for row in rows if row]
+            numbered = [(rows.line_num, row) for row in rows if row]
         except csv.Error as error:
             raise ScenarioError(f"the trace {path} cannot be read: {error}") from None
+        lines, kept = [line for line, _ in numbered], [row for _, row in numbered]
         if not kept:
             raise ScenarioError(f"{path} has no rows; a trace needs names in its first row and a latency in each other")
         if len(kept) > _MOST_ROWS:
             raise ScenarioError(f"{path} has {len(kept)} rows; a trace may have {_MOST_ROWS}")
         scale = _UNITS[self.unit or _unit_of(self.column) or "s"]
-        latency = scale * self._numbers(path, names, kept, self.column)
-        line = int(latency.argmax())
-        if latency[line] > self.most:
+        latency = scale * self._numbers(path, names, lines, kept, self.column)
+        worst = int(latency.argmax())
+        if latency[worst] > self.most:
             raise ScenarioError(
-                f"{path}: {self.column} in line {line + 2} is {latency[line]:.6g} s; if that is no mistake and its "
-                f"unit is right, set channel.trace.most above it (it is {self.most:g} s)"
+                f"{path}: {self.column} in line {lines[worst]} is {latency[worst]:.6g} s; if that is no mistake and "
+                f"its unit is right, set channel.trace.most above it (it is {self.most:g} s)"
             )
         time = None
         if self.time is not None:
-            time = _UNITS[_unit_of(self.time) or "s"] * self._numbers(path, names, kept, self.time)
+            time = _UNITS[_unit_of(self.time) or "s"] * self._numbers(path, names, lines, kept, self.time)
             back = np.flatnonzero(np.diff(time) <= 0.0)
             if back.size:
-                raise ScenarioError(
-                    f"{path}: {self.time} does not grow in line {int(back[0]) + 3}; keep one measurement in a file"
-                )
+                line = lines[int(back[0]) + 1]
+                raise ScenarioError(f"{path}: {self.time} does not grow in line {line}; keep one measurement in a file")
             time = time - time[0]
         return Trace(time, (0.5 if self.as_ == "rtt" else 1.0) * latency, loop=self.loop)
 
-    def _numbers(self, path: Path, names: list[str], rows: list[list[str]], column: str) -> Float:
-        """A column, each number finite and at least 0."""
+    def _numbers(self, path: Path, names: list[str], lines: list[int], rows: list[list[str]], column: str) -> Float:
+        """A column, each number finite, at least 0, and no more than a run could ever reach."""
         if column not in names:
             raise ScenarioError(f'{path} has no column "{column}"; its first row names {", ".join(names)[:200]}')
         if names.count(column) > 1:
@@ -164,11 +166,12 @@ class TraceTable(Table):
         at = names.index(column)
         fields = [row[at].strip() if at < len(row) else "" for row in rows]
         values = np.array([_number(field) for field in fields])
-        wrong: Long = np.flatnonzero(~(np.isfinite(values) & (values >= 0.0)))
+        wrong: Long = np.flatnonzero(~((values >= 0.0) & (values < _MOST)))
         if wrong.size:
-            line = int(wrong[0])
+            first = int(wrong[0])
             raise ScenarioError(
-                f'{path}: {column} in line {line + 2} is "{fields[line][:40]}"; it must be a finite number, at least 0'
+                f'{path}: {column} in line {lines[first]} is "{fields[first][:40]}"; it must be a finite number, at '
+                "least 0"
             )
         return values
 

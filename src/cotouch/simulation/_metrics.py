@@ -314,11 +314,12 @@ def judge(run: "xr.Dataset") -> Judged:
     """What the run says about its link law.
 
     Returns:
-        `law`, its name; `made_j`, the most energy that the links had made; `seed_j`, what they may make; `extracted_j`,
-        the most that users got out beyond what there was; `promised`, whether the law promises under these options that
-        `made_j` is at most `seed_j`; `kept`, whether it is.
+        `law`, its name; `made_j`, the most energy that the links had made, infinite where the motion left floating
+        point; `seed_j`, what they may make; `extracted_j`, the most that users got out beyond what there was;
+        `promised`, whether the law promises under these options that `made_j` is at most `seed_j`; `kept`, whether it
+        is.
     """
-    made, seed = float(run.attrs["made"]), float(run.attrs["law_seed"])
+    made, seed = float(run.attrs["made"]) if run.attrs["finished"] else np.inf, float(run.attrs["law_seed"])
     return {
         "law": run.attrs["law"],
         "made_j": made,
