@@ -45,6 +45,25 @@ def test_a_tower_stands_and_two_take_it_apart(taken_apart: Any) -> None:
     assert (np.diff(taken_apart["world_loss"].values, axis=1) >= 0.0).all()
 
 
+def test_a_light_body_bears_a_heavy_one() -> None:
+    """As soft as alone, it was crushed; steps were refused for ever, and the two hung where they were at full speed."""
+    slab = {"kind": "box", "size": [0.05, 0.05, 0.02], "resolution": 2}
+    loads = {"under": (0.02, 0.01), "over": (1.0, 0.03)}
+    run = simulate(
+        Scenario.make(
+            network={"users": ["Ann"], "spring": [[0]], "delay": [[0]]},
+            bodies=[{**slab, "name": name, "mass": mass, "at": [0, 0, z]} for name, (mass, z) in loads.items()],
+            between={"friction": 0.5, "damping": 20.0, "stiffness": 1e7},
+            world=PLANE,
+            steps={"duration": 1.0, "period": 0.002},
+            record={"nodes": "all"},
+        )
+    )
+    assert np.abs(run["velocity"].values[0, -1]).max() < 1e-3
+    assert run["closure_alarms"].values[0, -1] <= 2  # as it is set down; before, half of all steps
+    assert run.attrs["energy_residual"] <= 1e-13
+
+
 def test_what_only_falls_is_judged_by_the_energy_that_its_weight_gives() -> None:
     """Kinetic energy and weight cancel: their sum, and what hands gave, is rounding alone."""
     run = simulate(

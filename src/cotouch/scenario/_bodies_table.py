@@ -1,18 +1,22 @@
 """The tables of several bodies: each of them, where it is, and what they do to each other."""
 
+import math
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Annotated, Self, cast, final
 
 from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
-from cotouch.body import Body, Placed
+from cotouch.body import Body, Placed, scaled
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Between
 from cotouch.scenario._body_tables import BodySource, FileTable
 from cotouch.scenario._tables import MeetingTable, Number, Place, Table
 
 _MOST = 64
+# Strains of what is rigid swing at most so many times as fast; beyond, rounding of its place counts.
+_HARDER = 100.0
 _OWN = ("name", "at", "turn", "copies", "step", "color")
 _COLOR = re.compile(r"#[0-9a-fA-F]{6}")
 
@@ -106,10 +110,21 @@ def placed_bodies(tables: list[PartTable]) -> list[Placed]:
         ScenarioError: there are too many.
         BodyError: a body is wrong.
     """
-    placed = [one for table in tables for one in table.placed()]
+    placed = [(one, getattr(table.body, "rate", None)) for table in tables for one in table.placed()]
     if len(placed) > _MOST:
         raise ScenarioError(f"there are {len(placed)} bodies; a scenario takes {_MOST}")
-    return placed
+    masses = [one.body.mass.diagonal().sum() for one, _ in placed]
+    return [
+        one if rate is not None else replace(one, body=_bearing(one.body, max(masses) / mass))
+        for (one, rate), mass in zip(placed, masses, strict=True)
+    ]
+
+
+def _bearing(body: Body, times: float) -> Body:
+    """A body so hard that it bears the load of so many times its mass as it bears its own, if it is rigid."""
+    if times == 1.0 or body.material is None or body.material.model != "rigid":
+        return body
+    return scaled(body, mass=1.0, rate=min(math.sqrt(times), _HARDER))
 
 
 @final
