@@ -48,7 +48,7 @@ def test_a_tower_stands_and_two_take_it_apart(taken_apart: Any) -> None:
 def test_a_light_body_bears_a_heavy_one() -> None:
     """As soft as alone, its steps were refused without end, and the two hung where they were at full speed."""
     slab = {"kind": "box", "size": [0.05, 0.05, 0.02], "resolution": 2}
-    loads = {"under": (0.02, 0.01), "over": (1.0, 0.03)}
+    loads = {"under": (0.02, 0.01), "over": (10.0, 0.03)}
     run = simulate(
         Scenario.make(
             network={"users": ["Ann"], "spring": [[0]], "delay": [[0]]},
