@@ -16,12 +16,15 @@ DIE: dict[str, Any] = {"kind": "box", "size": [0.05, 0.05, 0.05], "mass": 0.1, "
 PLANE: dict[str, Any] = {"gravity": [0, 0, -9.81], "planes": [{"friction": 0.5, "damping": 20.0}]}
 
 
+PULL = {"user": 2, "body": "die 2", "at": [0.035, 0, 0.075], "path": [0.03, 0, 0.01], "stiffness": 100}
+
+
 def stack(**tables: Any) -> Scenario:
     """Two dice on a table; one hand pulls at the upper."""
     given: dict[str, Any] = {
         "bodies": [{**DIE, "name": "die", "at": [0, 0, 0.025], "step": [0.01, 0, 0.05], "copies": 2}],
         "between": {"friction": 0.4, "damping": 20.0},
-        "hands": [{"user": 2, "body": "die 2", "at": [0.035, 0, 0.075], "path": [0.03, 0, 0.01], "stiffness": 100}],
+        "hands": [PULL],
         "network": PAIR,
         "world": PLANE,
         "steps": {"duration": 0.1},
@@ -142,7 +145,7 @@ def test_peers_come_to_the_same_bits(law: str) -> None:
 
 
 def test_a_codec_says_several_bodies_with_the_record_of_the_batch_engine() -> None:
-    plain = stack(synchronisation={"law": "wave"}, record={"every": 2})
+    plain = stack(synchronisation={"law": "wave"}, record={"every": 2}, hands=[{**PULL, "stiffness": 400}])
     exact = {"codec": {"deadband": 0.0, "quantum": 0.0, "hold": 1}}
     batch, single = run_batch(prepare(plain)), run_prepared(prepare(plain.replace(channel=exact)))
     assert np.array_equal(single.position, batch.position)

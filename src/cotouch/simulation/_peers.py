@@ -38,6 +38,7 @@ from cotouch.scenario import (
 )
 from cotouch.simulation._coding import age_budget
 from cotouch.simulation._prepare import Prepared
+from cotouch.simulation._timing import AT_ONCE
 
 
 @final
@@ -177,11 +178,10 @@ class _World:
         """Everyone steps at times of their own; messages sent at an instant are seen only after it."""
         timing = self.timing
         moments = sorted({float(t) for i, n in enumerate(timing.count) for t in timing.end[i, :n]})
-        slack = 1e-9 if timing.mode == "constant" else 0.0
         following = [0] * len(self.peers)
         for now in moments:
             check()
-            self._deliver(now + slack)
+            self._deliver(now + AT_ONCE)
             outgoing: list[Sample] = []
             for i, peer in enumerate(self.peers):
                 k = following[i]

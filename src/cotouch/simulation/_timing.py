@@ -7,6 +7,10 @@ import numpy as np
 from cotouch.arrays import Float, Int
 from cotouch.mechanics import at, kernel, put
 
+# Far below any step, and far above the round-off of summed steps and of delays as long as some steps: what comes at the
+# instant of a step always counts, not now and then.
+AT_ONCE = 1e-9
+
 
 @kernel
 def newest(sent: Float, arrival: Float, end: Float, used: Int) -> None:
@@ -26,9 +30,9 @@ def newest(sent: Float, arrival: Float, end: Float, used: Int) -> None:
     guess = 0
     for m in range(sent.shape[0]):
         if arrival[m] < np.inf:
-            while guess > 0 and (end[guess - 1] >= arrival[m] and end[guess - 1] > sent[m]):
+            while guess > 0 and (arrival[m] <= end[guess - 1] + AT_ONCE and end[guess - 1] > sent[m]):
                 guess -= 1
-            while guess < steps and not (end[guess] >= arrival[m] and end[guess] > sent[m]):
+            while guess < steps and not (arrival[m] <= end[guess] + AT_ONCE and end[guess] > sent[m]):
                 guess += 1
             if guess < steps:
                 used[guess] = max(used[guess], m)
@@ -53,8 +57,7 @@ def indexed(latency: Float, sent: Float, end: Float, delay: int, used: Int) -> i
     for k in range(end.shape[0]):
         wanted = k - delay
         index = max(wanted, -1)
-        # 1e-9 s is far below any step and far above the round-off of summed steps.
-        while index > oldest and at(sent, index) + at(latency, index) > at(end, k) + 1e-9:
+        while index > oldest and at(sent, index) + at(latency, index) > at(end, k) + AT_ONCE:
             index -= 1
         if index < wanted:
             short += 1
