@@ -660,7 +660,7 @@ def test_what_paid_may_make_is_a_copys_whatever_its_body() -> None:
     assert seeds == [0.01, 0.01]
 
 
-@pytest.mark.parametrize("number", [1, 3, 9, 75])
+@pytest.mark.parametrize("number", [1, 3, 9, 75, 70092])
 def test_paid_makes_no_more_than_its_seed_where_tools_touch(number: int) -> None:
     """On a floor, the first two, and held without weight; `python -m benchmarks.promises` does so in a thousand."""
     run = simulate(touching(number))

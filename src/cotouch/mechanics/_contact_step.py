@@ -139,7 +139,8 @@ def contact_step(
                 lean_world(force.world, op.copy_scale * op.firmness, mean, work, lanes)
                 hold_ports(op, ports, work)
         if number >= looks and near:
-            ledger[ITERATIONS] += correct_near(op, work, touch, enough / change, cap, lanes)
+            leaves = enough / change if change > 0.0 else 0.0
+            ledger[ITERATIONS] += correct_near(op, work, touch, leaves, cap, lanes)
         else:
             solve_touched(
                 op, ports, touch, work, T, number, modal, corrects, force is not None, ledger, tolerance, cap, lanes
