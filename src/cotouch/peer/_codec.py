@@ -19,6 +19,10 @@ from cotouch.peer._links import PLAIN, LinkHeader, Sample
 # What is left out may cost at most this part of what the account holds: after a large error that emptied it, all would
 # have to be said in full for as long as that error may be in use.
 _RESERVE = 16.0
+# Deadbands that are told later of what energies grow by in a step, and half of it at most.
+_LATE = 5.0
+# What single precision leaves of a number.
+_SINGLE = 1e-7
 
 
 @final
@@ -201,6 +205,9 @@ class Encoder:
             rates = (fields - before[1])[form.rated] / passed
             # Less than it was, for what is told of an energy must stay below the truth.
             flow = (1.0 - codec.deadband) * np.maximum((scalars - before[2])[form.energies], 0.0) / passed
+            # Nor can it go on if it is told to the last, as soon as less flows.
+            scalars = scalars.copy()
+            scalars[form.energies] -= min(_LATE * codec.deadband, 0.5) * passed * flow
         true = Content(index=sample.index, stamp=sample.stamp, fields=fields, rates=rates, scalars=scalars, flow=flow)
         found = form.rounded(true) if codec.quantum > 0.0 and not exact else None
         if found is not None and self._affords(self._error(found.fields[0] - fields[0]), T):
@@ -221,7 +228,8 @@ class Encoder:
         others = form.others
         if (told[form.counts] != scalars[form.counts]).any():
             return False
-        return bool((np.abs(told - scalars)[others] <= deadband * np.abs(base.scalars[others])).all())
+        near = max(deadband, _SINGLE)
+        return bool((np.abs(told - scalars)[others] <= near * np.abs(base.scalars[others])).all())
 
     def _error(self, off: Float) -> float:
         return float(self._weight @ off**2) if self.account is not None else 0.0

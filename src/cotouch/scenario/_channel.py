@@ -36,7 +36,7 @@ class CodecTable(Table):
 
     Attributes:
         deadband: share of a value, or of a sum's growth, that is not worth saying; people notice 7 to 10 % of a force.
-        quantum: fields are rounded to multiples of this, and energies down; 0: they are not [SI units].
+        quantum: fields are rounded to multiples of this; 0: they are not [SI units].
         hold: a sample is said in full at least every so many steps.
         age: where a law needs damping for the age of samples, the damping that pays for the codec's errors is that of
             samples so much older [s].
