@@ -27,7 +27,6 @@ SECTIONS = (
     "laws",
     "codec",
     "laws: ten in ten minutes",
-    "laws: eight users",
     "laws: stars",
     "laws: paths",
     "laws: elastic body",

@@ -2,8 +2,8 @@
 
 `python -m benchmarks.laws --out DIR` runs it, resumes it, and leaves report and results in the folder; `--small` takes
 two users, four draws and a short search. `--part star`, `path` or `elastic` is the same study of copies that are linked
-so, or of a soft body, and `eight` of eight users, on fewer networks with a shorter search. They, and `--passive`,
-leave out laws and replicas that promise nothing, and the map.
+so, or of a soft body, on fewer networks with a shorter search. They, and `--passive`, leave out laws and replicas that
+promise nothing, and the map.
 """
 
 import argparse
@@ -39,7 +39,6 @@ _OTHER: dict[str, Any] = {"draws": 10, "felt": False, "map": None}
 PARTS: dict[str, dict[str, Any]] = {
     "full": {},
     "ten": {"users": [2], "tuning": {"search": 64, "local": 64, "draws": 2}, "map": None},
-    "eight": {**_OTHER, "users": [8], "tuning": _BRIEF},
     "star": {**_OTHER, "graph": "star", "users": [4, 8], "tuning": _FOUR},
     "path": {**_OTHER, "graph": "path", "users": [4, 8], "tuning": _FOUR},
     "elastic": {
@@ -52,7 +51,6 @@ PARTS: dict[str, dict[str, Any]] = {
 SECTIONS_OF = {
     "full": "laws",
     "ten": "laws: ten in ten minutes",
-    "eight": "laws: eight users",
     "star": "laws: stars",
     "path": "laws: paths",
     "elastic": "laws: elastic body",
