@@ -205,3 +205,24 @@ def test_what_grows_between_steps_gives_no_energy() -> None:
         copy.lead([0.013, 0.009, top + 0.03], [0.013, 0.009, top + 0.03])
         copy.step(2e-3)
     assert copy.tools.share[0] == 1.0
+
+
+def test_a_contact_that_nothing_was_paid_for_does_nothing_until_it_lets_go() -> None:
+    """A tool that comes to be in the skin without its own motion; that it does nothing does not take it out of it."""
+    copy = Pressed(made("cells", viscosity=2e-3, ground="z-", hold=300.0))
+    copy.tools.radius[:] = 0.006
+    top = 2.0 * SPACING
+    copy.tools.place[0, :3] = [0.013, 0.009, top + 0.0061]
+    copy.begin()
+    copy.step(2e-3)
+    copy.tools.place[0, 2] -= 0.003
+    for _ in range(20):
+        copy.lead(copy.tools.place[0, :3], copy.tools.place[0, :3])
+        copy.step(2e-3)
+        assert copy.tools.share[0] == 0.0
+        assert copy.tools.touching[0] == 0
+    assert copy.residual <= 1e-15
+    for _ in range(100):
+        copy.lead([0.013, 0.009, top + 0.03], [0.013, 0.009, top + 0.03])
+        copy.step(2e-3)
+    assert copy.tools.share[0] == 1.0

@@ -5,6 +5,7 @@ velocity closes what little is left: one balance for both.
 """
 # pyright: reportArgumentType=false, reportReturnType=false
 
+import math
 from typing import Any
 
 from cotouch.arrays import Float
@@ -46,7 +47,7 @@ from cotouch.mechanics._state import SHORTENED, SUPPLIED, Links, Ports, State, W
 from cotouch.mechanics._step import book_energies, move, port_work
 from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import GRASP, TOUCH, TOUCH_LOSS, TOUCHED, Tools
-from cotouch.mechanics._vector import at, load, splat, store, total
+from cotouch.mechanics._vector import FOUR, at, load, splat, store, total
 
 # A difference below this share of what made it is rounding.
 _ROUNDING = 8e-16
@@ -126,8 +127,9 @@ def balanced(
     Returns:
         The scale, in [0, 1.25].
     """
+    astray = force is not None and _went_astray(op, touch, work, lanes)
     most, held_back, touches, passed = 1.0, False, False, False
-    inflow, slope, spare = abs(free) + abs(contact), -T * (free + contact), 0.0
+    inflow, slope, spare = abs(free) + abs(contact) if force is None else 0.0, -T * (free + contact), 0.0
     for t in range(tools.mode.shape[0]):
         held_back = held_back or touch.caught[t, 0] != 0.0
         if tools.mode[t] == TOUCH and tools.inside[t] == 0:
@@ -146,7 +148,7 @@ def balanced(
         work.weighed[FIXED] = 1.0
     least, greatest = (1.0 - _EASY, 1.0 + _EASY) if touches else (LEAST, MOST)
     held_back = held_back or most < 1.0
-    seeks, still, rounded, hardly, told = not held_back, False, True, False, False
+    seeks, still, rounded, hardly, told = not (held_back or astray), False, True, False, False
     scale, have, last, last_over, tries, halves, shrinks = most, 1.0, 0.0, 0.0, 0, 0, _ROUNDING
     shorter = 0
     pushed = touch.push[: op.mass.shape[0] if look else 0]
@@ -200,6 +202,7 @@ def balanced(
                     level_groups(
                         op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes
                     )
+                keep_place(state, work, lanes)  # looks went elsewhere
                 shorter += 1
                 continue
             if not (fine or passed or touches or still) and resting(weighed):  # the body stays, and its tools go on
@@ -258,9 +261,37 @@ def balanced(
             lanes,
         )
         ledger[SHORTENED] = max(LEAST - scale, 0.0) if told and not held_back else 0.0
-        if shorter > 0:
+        if astray:
+            ledger[SHORTENED] = 1.0
+        elif shorter > 0:
             ledger[SHORTENED] = max(1.0 - shortest(force.parts, 1.0), ledger[SHORTENED])
     return scale
+
+
+@part
+def _went_astray(op: Operator, touch: ContactWork, work: Workspace, lanes: tuple[int, ...]) -> bool:
+    """Whether looks led to where nothing can be weighed; then nothing goes anywhere, and no tool pushes."""
+    moving = splat(0.0, lanes)
+    for i in range(work.mean.shape[0]):
+        rate = load(work.mean, i, lanes)
+        moving = moving + at(op.mass, i) * (rate * rate)
+    size = total(moving)
+    for t in range(touch.mean.shape[0]):
+        for a in range(3):
+            size += touch.inertia[t] * touch.mean[t, a] * touch.mean[t, a] + abs(touch.pull[t, a])
+    if size < math.inf:
+        return False
+    for i in range(work.mean.shape[0]):
+        store(work.mean, i, splat(0.0, lanes), lanes)
+        store(touch.push, i, splat(0.0, lanes), lanes)
+    touch.quick[0] = 0.0
+    for v in range(touch.rate.shape[0]):
+        store(touch.rate, v, splat(0.0, FOUR), FOUR)
+    for t in range(touch.mean.shape[0]):
+        touch.patch[t], touch.held[t, 1], touch.held[t, 2] = 0.0, 0.0, 0.0
+        for array in (touch.mean, touch.pull, touch.way, touch.skin):
+            store(array, t, splat(0.0, FOUR), FOUR)
+    return True
 
 
 @part
@@ -307,6 +338,7 @@ def _over(
         for a in range(3):
             rate = scale * touch.mean[t, a]
             over += T * rate * (touch.drive[t, a] - touch.inertia[t] * rate)
+            stored += 0.0 if body else T * touch.inertia[t] * rate * rate
         gone, size = 0.0, 0.0
         if tools.mode[t] == TOUCH and tools.inside[t] == 0:
             touch.stored[t] = press_tool(law, surface, touch, tools, t, scale * T, 0.0)

@@ -57,9 +57,9 @@ def catch(surface: Surface, work: ContactWork, tools: Tools, t: int, T: float) -
     wanted, push = caught[t, 5], caught[t, 4]
     settled = abs(gap - wanted) <= _EXACT * wanted or (gap > wanted and push == 0.0 and caught[t, 2] >= 0.0)
     if not settled:
-        yields = T / work.inertia[t]
-        if caught[t, 2] >= 0.0 and (gap - caught[t, 3]) * (push - caught[t, 2]) > 0.0:
-            yields = (gap - caught[t, 3]) / (push - caught[t, 2])
+        yields = T / work.inertia[t]  # as the tool does alone: skin that yields as well does no less
+        if caught[t, 2] >= 0.0 and push != caught[t, 2]:
+            yields = max((gap - caught[t, 3]) / (push - caught[t, 2]), yields)
         caught[t, 2], caught[t, 3] = push, gap
         caught[t, 4] = max(push + (wanted - gap) / yields, 0.0)
     for a in range(3):
