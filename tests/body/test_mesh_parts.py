@@ -87,6 +87,10 @@ def test_mistakes_are_sentences(parts: dict[str, Any], said: str) -> None:
     with pytest.raises(BodyError) as caught:
         bar("elastic", parts=parts, sets=sets)
     assert said in str(caught.value)
+    with pytest.raises(
+        BodyError, match=r'^parts\."soft"\.poisson is 0\.0; with model "neo-hookean" it must be above 0'
+    ):
+        bar("neo-hookean", poisson=0.3, parts={"soft": {"poisson": 0.0}})
     with pytest.raises(BodyError, match='model "rigid" has no Young'):
         bar("rigid")
 

@@ -63,6 +63,7 @@ def test_what_holds_a_rigid_one_is_its_own() -> None:
         ([("", BLOCK)], "a body has an empty name; each needs a different name"),
         ([("p", point())], 'body "p" has 1 axes; bodies meet by their skins, so take it from a mesh or a lattice'),
         ([("p", chain(3, dimension=3))], 'body "p" has no skin; bodies meet by their skins'),
+        ([("s", lattice((3, 3, 1)))], 'body "s" is a sheet of one layer, which has no inside; bodies and meshes meet'),
         ([("m", lattice((3, 3, 3), ground="z-", ground_stiffness=1.0).truncated(modes=3))], 'body "m" is truncated'),
         (
             [("t", together([Placed(body=BLOCK, name="a")]))],

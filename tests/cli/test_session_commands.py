@@ -181,6 +181,15 @@ def test_a_session_from_invitation_to_audit(running: Running, tmp_path: Path) ->
     assert report["law"]["on_the_way_j"] > 0.0
 
 
+def test_nobody_is_invited_to_a_body_that_is_wrong(running: Running, tmp_path: Path) -> None:
+    (tmp_path / "a.stl").write_bytes(b"no mesh")
+    (tmp_path / "two.toml").write_text(TWO.replace("[session]", '[body]\nfile = "a.stl"\nunit = "m"\n[session]'))
+    host = running.fork("host", "host", tmp_path / "two.toml")
+    assert host.wait(PATIENCE) == 2
+    assert running.out("host") == ""
+    assert "a.stl cannot be read as STL" in running.err("host")
+
+
 def test_who_was_killed_comes_back_as_itself_and_so_does_the_host(running: Running, tmp_path: Path) -> None:
     (tmp_path / "two.toml").write_text(TWO)
     host_of = ("host", tmp_path / "two.toml", "--key-file", tmp_path / "keys", "--json")

@@ -190,7 +190,7 @@ def test_gmsh_1(tmp_path: Path) -> None:
         ("$ELM\n4", "$ELM\n5", "it claims 5 elements but ends earlier"),
         ("1 4 7 1 4", "1 4 7 1 -4", "it claims 4 elements but ends earlier"),
         ("$ELM\n4", "$ELM\n999999999", "has 999999999 elements but the limit is 1000"),
-        ("$NOD\n5", "$NOD\nfive", "cannot be read as MSH"),
+        ("$NOD\n5", "$NOD\nfive", "cannot be read as MSH: it is not as the format asks for, or was cut off$"),
     ],
 )
 def test_gmsh_1_that_is_wrong(tmp_path: Path, old: str, new: str, said: str) -> None:

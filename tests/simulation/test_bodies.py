@@ -259,6 +259,10 @@ def test_a_file_says_all_of_it() -> None:
             {"cutting": {}},
             "cutting takes away elements, but none of the bodies is of cubes or tetrahedra; give one of them",
         ),
+        (
+            {"bodies": [{"name": "a", "kind": "box", "size": [1, 1, 1]}], "between": {"self_contact": True}},
+            "between.self_contact is true, but no body yields, so none can meet itself; leave it out",
+        ),
         ({"between": {"friction": 0.1, "kinetic_friction": 0.2}}, "kinetic_friction is 0.2, but friction is 0.1"),
         ({"hands": [{"user": 1, "body": "c"}]}, 'hands[1].body is "c"; there are "die 1", "die 2"'),
         ({"hands": [{"user": 1, "body": "die 1", "node": 99}]}, 'hands[1].node is 99; "die 1" has nodes 1 to'),

@@ -9,7 +9,7 @@ from matplotlib.image import imsave
 
 from cotouch.errors import CotouchError
 from cotouch.scenario import Scenario, TextureTable
-from cotouch.simulation import prepare, run_batch, run_peers
+from cotouch.simulation import prepare, run_batch, run_peers, simulate
 
 PAIR: dict[str, Any] = {"users": ["Ann", "Ben"], "spring": [[0, 50], [50, 0]], "delay": [[0, 0.02], [0.03, 0]]}
 BLOCK: dict[str, Any] = {
@@ -162,3 +162,18 @@ def test_a_sheet_is_felt_alike_from_both_sides() -> None:
         assert side * outcome.tools.place[0, -1, 2] > 0.0
     assert forces[0].max() > 0.1
     np.testing.assert_allclose(forces[0], -forces[1], rtol=1e-9, atol=1e-12)
+
+
+def test_what_attraction_gives_was_there_to_be_had() -> None:
+    """A hand that holds a tool back from the skin gets some of the energy that the attraction has."""
+    snap = {"snap": {"force": 1.0, "range": 5e-3}}
+    hand = {"path": [[0, 0, 0, 0], [0.3, 0, 0, -5e-3]], "stiffness": 500.0}
+    tool = {**POKE, "at": [0.03, 0.01, 0.0365], "hand": hand}
+    spring = {"law": "spring"}  # which has no seed that may be spent
+    steps = {"duration": 0.4}
+    run = simulate(
+        Scenario.make(network=PAIR, steps=steps, synchronisation=spring, tools=[tool], contact=snap, **LINEAR)
+    )
+    assert float(run["supplied_total"].min()) < -1e-5
+    assert run.attrs["passivity_margin"] >= 0.0
+    assert run.attrs["extracted"] == 0.0

@@ -88,6 +88,7 @@ def test_a_wrong_world_is_one_sentence(world: dict[str, Any], said: str) -> None
     ("body", "said"),
     [
         ({**BLOCK, "gravity": [0, 0, -1]}, "body.gravity is not an option that cotouch knows"),
+        ({"kind": "chain", "nodes": 3}, "the body has one axis; weight, obstacles and what turns need 2 or 3"),
         ({"kind": "point", "rest": [0, 0, 0]}, "the body has no skin; obstacles are met by a skin"),
     ],
 )

@@ -161,7 +161,7 @@ def body_from_tetrahedra(
     given = {**mesh.sets, **{key: np.asarray(members, dtype=np.int64) for key, members in (sets or {}).items()}}
     named: dict[str, Long] = {key: place[members][place[members] >= 0] for key, members in given.items()}
     whole = {"young": young, "poisson": poisson, "rayleigh_stiffness": rayleigh_stiffness}
-    own = of_parts(parts or {}, elements, named, whole, name)
+    own = of_parts(parts or {}, elements, named, whole, name, model)
     springs, material = of_tetrahedra(
         rest,
         elements,

@@ -20,7 +20,7 @@ _RANGES: Final = {
 
 
 def of_parts(
-    parts: Parts, elements: Long, sets: Mapping[str, Long], whole: Mapping[str, float], name: str
+    parts: Parts, elements: Long, sets: Mapping[str, Long], whole: Mapping[str, float], name: str, model: str
 ) -> dict[str, float | Float]:
     """Young's modulus, Poisson's ratio and damping of each tetrahedron; one number each without parts.
 
@@ -31,6 +31,7 @@ def of_parts(
         sets: nodes of every named set.
         whole: of what lies in no part.
         name: of the mesh, in words.
+        model: name of the material.
 
     Raises:
         BodyError: a set is not there or holds no tetrahedron, or a value is none or out of its range.
@@ -49,6 +50,10 @@ def of_parts(
             if key not in _KEYS:
                 raise BodyError(f'parts."{part}" has "{key}"; it may have {", ".join(_KEYS)}')
             low, high, range_ = _RANGES[key]
+            if key == "poisson" and model == "neo-hookean" and not 0.0 < value < 0.5:
+                raise BodyError(
+                    f'parts."{part}".poisson is {value}; with model "neo-hookean" it must be above 0 and below 0.5'
+                )
             if not low < value < high:
                 raise BodyError(f'parts."{part}".{key} is {value}; it must be {range_}')
             values[key][inside] = value

@@ -117,6 +117,11 @@ def _check(placed: Placed, names: list[str]) -> None:
     if body.dimension != 3 or body.skin is None or not body.skin.triangles.size:
         what = f"has {body.dimension} axes" if body.dimension != 3 else "has no skin"
         raise UnsupportedError(f'body "{name}" {what}; bodies meet by their skins, so take it from a mesh or a lattice')
+    if not np.ptp(body.skin.vertices, axis=0).all():
+        raise UnsupportedError(
+            f'body "{name}" is a sheet of one layer, which has no inside; bodies and meshes meet by how deep they are '
+            "in each other, so give it two layers of nodes"
+        )
     size = float(np.ptp(body.rest, axis=0).max())
     three(
         f'at of body "{name}"',

@@ -59,6 +59,9 @@ def host(
 
     session = SessionFile.read(file, law=law)
     with stop_signals() as stopped, open_host(session, listen=listen, port=port, key_file=key_file) as opened:
+        while opened.host.admission.fingerprint is None and not stopped():  # nobody is invited to a body that is wrong
+            opened.service(time.monotonic())
+            time.sleep(_POLL)
         line = opened.invitation.encode()
         if as_json:
             print_json({"invitation": line, "session": session.digest.hex(), "law": session.law})
@@ -72,13 +75,10 @@ def host(
         with shown(lambda: opened.host.watch, title=title, invitation=line, quiet=headless or as_json) as redraw:
             end = None if seconds is None else time.monotonic() + seconds
             console = Console(opened.host)
-            ready = False
+            tell(f"ready, link law {session.law}; nobody has joined yet")
             while not stopped() and (end is None or time.monotonic() < end):
                 opened.service(time.monotonic())
                 console.service(time.monotonic())
-                if not ready and opened.host.admission.fingerprint is not None:
-                    ready = True
-                    tell(f"ready, link law {session.law}; nobody has joined yet")
                 redraw()
                 time.sleep(_POLL)
         opened.host.end()

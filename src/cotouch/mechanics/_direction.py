@@ -12,6 +12,7 @@ from cotouch.mechanics._direction_missing import (
     stiffen,
     take_port,
 )
+from cotouch.mechanics._direction_turn import turn_whole
 from cotouch.mechanics._force import BodyForce, lean, resist
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Parts
@@ -51,7 +52,8 @@ def direct(
 ) -> tuple[float, float]:
     """Corrects v̂ by what it misses of the forces where it leads, by `predict`; a coarse solve is enough for that.
 
-    What of the momentum of these forces the solve leaves is given to the body as a whole, so that all of it arrives.
+    What of the momentum of these forces the solve leaves is given to the body as a whole, so that all of it arrives; of
+    a single body so is their angular momentum.
 
     Returns:
         Squares of the correction, and of v̂ about the centre of mass, in the norm of M; or nothing that says anything.
@@ -60,7 +62,7 @@ def direct(
     if op.entries.shape[0] == 0:
         ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, 0, cap, lanes)
         return 1.0, 0.0
-    return correct(op, force, ports, T, 0.0, work, ledger, tolerance, cap, lanes)
+    return _corrected(op, force, ports, T, 0.0, True, work, ledger, tolerance, cap, lanes)
 
 
 @part
@@ -106,9 +108,30 @@ def correct(
     Returns:
         See `direct`.
     """
+    return _corrected(op, force, ports, T, stiffer, False, work, ledger, tolerance, cap, lanes)
+
+
+@part
+def _corrected(
+    op: Operator,
+    force: BodyForce,
+    ports: Ports,
+    T: float,
+    stiffer: float,
+    turns: bool,
+    work: Workspace,
+    ledger: Float,
+    tolerance: float,
+    cap: int,
+    lanes: tuple[int, ...],
+) -> tuple[float, float]:
+    """`correct`; `turns`: also turns the body as a whole, which helps where v̂ is nearly right."""
+    turns, turned = turns and force.parts is None, 0.0
     for i in range(op.mass.shape[0]):
         store(work.pull, i, load(work.mean, i, lanes), lanes)
     move_whole(op, force.parts, T, work, lanes)
+    if turns:
+        turned = turn_whole(op, force.places, T, False, work)
     if stiffer > 0.0:
         stiffen(op, T, stiffer, work)
     ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, COARSE), FEW, cap, lanes)
@@ -116,6 +139,8 @@ def correct(
         stiffen(op, T, -stiffer, work)
     if force.parts is None:
         add_momentum(op, T, work, lanes)
+    if turns:
+        turned += turn_whole(op, force.places, T, True, work)
     zero = splat(0.0, lanes)
     change, moving, momentum, mass = zero, zero, zero, 0.0
     for i in range(op.mass.shape[0]):
@@ -126,7 +151,7 @@ def correct(
         moving = moving + m * (rate * rate)
         momentum = momentum + m * rate
         mass += m
-    return total(change), total(moving) - total(momentum * momentum) / mass
+    return total(change) + turned, total(moving) - total(momentum * momentum) / mass
 
 
 @part

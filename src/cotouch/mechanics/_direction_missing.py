@@ -28,7 +28,7 @@ def _inside(op: Operator, T: float, i: int) -> float:
 
 
 @inner
-def _outer(op: Operator, T: float, i: int, work: Workspace) -> float:
+def outer(op: Operator, T: float, i: int, work: Workspace) -> float:
     """What stands on the diagonal of A without the springs and dampers within the body, whose force is known."""
     return at(work.diagonal, i) - op.copy_scale * _inside(op, T, i)
 
@@ -41,7 +41,7 @@ def _beside(op: Operator, T: float, family: int, work: Workspace) -> float:
 
 
 @inner
-def _couples(op: Operator) -> bool:
+def couples(op: Operator) -> bool:
     """Whether there are any."""
     coupled = mixed(op, MASS)
     for matrix in range(WEIGHTS, op.mix.shape[0]):
@@ -52,10 +52,10 @@ def _couples(op: Operator) -> bool:
 @part
 def lack(op: Operator, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
     """Takes off the right-hand side what is done by v̂, but for springs and dampers within the body."""
-    couples = _couples(op)
+    joined = couples(op)
     for i in range(op.mass.shape[0]):
-        left = load(work.rhs, i, lanes) - _outer(op, T, i, work) * load(work.mean, i, lanes)
-        for family in range(op.entries.shape[0] if couples else 0):
+        left = load(work.rhs, i, lanes) - outer(op, T, i, work) * load(work.mean, i, lanes)
+        for family in range(op.entries.shape[0] if joined else 0):
             left = left - _beside(op, T, family, work) * row_product(op, family, i, work.mean, lanes)
         store(work.rhs, i, left, lanes)
     for p in range(work.dense.shape[0]):
@@ -94,10 +94,10 @@ def hold_ports(op: Operator, ports: Ports, work: Workspace) -> None:
 
 
 @inner
-def _row(op: Operator, T: float, i: int, couples: bool, work: Workspace) -> float:
+def _row(op: Operator, T: float, i: int, joined: bool, work: Workspace) -> float:
     """Sum of a row of A: springs and dampers within the body do not feel what moves it as a whole."""
-    own = _outer(op, T, i, work)
-    for family in range(op.entries.shape[0] if couples else 0):
+    own = outer(op, T, i, work)
+    for family in range(op.entries.shape[0] if joined else 0):
         for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
             own += _beside(op, T, family, work) * at(op.entries, (family, e))
     return own
@@ -109,15 +109,15 @@ def move_whole(op: Operator, parts: Parts | None, T: float, work: Workspace, lan
 
     What is solved for at once is so as a whole.
     """
-    couples = _couples(op)
+    joined = couples(op)
     if parts is None:
         left, whole = splat(0.0, lanes), 0.0
         for i in range(op.mass.shape[0]):
             left = left + load(work.rhs, i, lanes)
-            whole += _row(op, T, i, couples, work)
+            whole += _row(op, T, i, joined, work)
         left = (1.0 / whole) * left
         for i in range(op.mass.shape[0]):
-            store(work.rhs, i, load(work.rhs, i, lanes) - _row(op, T, i, couples, work) * left, lanes)
+            store(work.rhs, i, load(work.rhs, i, lanes) - _row(op, T, i, joined, work) * left, lanes)
             store(work.pull, i, load(work.pull, i, lanes) + left, lanes)
         return
     for b in range(parts.held.shape[0]):
@@ -127,11 +127,11 @@ def move_whole(op: Operator, parts: Parts | None, T: float, work: Workspace, lan
         b = at(parts.part, i)
         if at(work.rigid, i) >= 0:
             continue
-        put(parts.sums, (b, 0), at(parts.sums, (b, 0)) + _row(op, T, i, couples, work))
+        put(parts.sums, (b, 0), at(parts.sums, (b, 0)) + _row(op, T, i, joined, work))
         for a in range(3):
             put(parts.sums, (b, 1 + a), at(parts.sums, (b, 1 + a)) + at(work.rhs, (i, a)))
     for i in range(op.mass.shape[0]):
-        b, own = at(parts.part, i), _row(op, T, i, couples, work)
+        b, own = at(parts.part, i), _row(op, T, i, joined, work)
         for a in range(3 if at(work.rigid, i) < 0 else 0):
             goes = at(parts.sums, (b, 1 + a)) / at(parts.sums, (b, 0))
             put(work.rhs, (i, a), at(work.rhs, (i, a)) - own * goes)
@@ -141,9 +141,9 @@ def move_whole(op: Operator, parts: Parts | None, T: float, work: Workspace, lan
 @part
 def add_momentum(op: Operator, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
     """Moves the body as a whole so that `A v̂` has the momentum of the right-hand side, which a solve missed."""
-    left, whole, couples = splat(0.0, lanes), 0.0, _couples(op)
+    left, whole, joined = splat(0.0, lanes), 0.0, couples(op)
     for i in range(op.mass.shape[0]):
-        own = _row(op, T, i, couples, work)
+        own = _row(op, T, i, joined, work)
         left = left + (load(work.rhs, i, lanes) - own * load(work.mean, i, lanes))
         whole += own
     left = (1.0 / whole) * left

@@ -41,6 +41,7 @@ class BodyForce(NamedTuple):
 
     Attributes:
         law: one of `LAWS`.
+        places: of the rows at rest, about their middle, (rows, 4) [m].
         gravity: acceleration of each row, (rows, 4) [m/s²]; a tool among the bodies has none.
         directions: how often a step looks where its force leads before it moves, >= 1.
         grain: energy that the rounding of places alone makes, of the whole body [J].
@@ -53,6 +54,7 @@ class BodyForce(NamedTuple):
     """
 
     law: Any
+    places: Float
     gravity: Float
     directions: int
     grain: float

@@ -158,7 +158,17 @@ def force_of(body: Body, material: Material, order: Int | None) -> tuple[BodyFor
     # Places are as large as the body, or some times that where it has travelled.
     rounding = np.finfo(np.float64).eps * float(np.abs(rest).max())
     grain = (_FAR * rounding) ** 2 * float(abs(body.stiffness_int).sum())
-    force = BodyForce(law=law, gravity=gravity, directions=directions, grain=grain, rounding=rounding, parts=parts)
+    places = np.zeros_like(rest)
+    places[row] = rest
+    force = BodyForce(
+        law=law,
+        places=places,
+        gravity=gravity,
+        directions=directions,
+        grain=grain,
+        rounding=rounding,
+        parts=parts,
+    )
     return force, size
 
 

@@ -224,7 +224,7 @@ def _of_material(
     if basis == "modal":
         raise UnsupportedError(f'basis is "modal", but model is "{material.model}", which has no modes; use "auto"')
     if body.dimension < 2:
-        raise UnsupportedError(f'model is "{material.model}", but the body has one axis; it needs 2 or 3')
+        raise UnsupportedError("the body has one axis; weight, obstacles and what turns need 2 or 3")
     outline = outline_of(body, material)
     fitted = [fit_weight(outline, index, weight) for index, weight in enumerate(weights, start=1)]
     if any(full for _, full in fitted):

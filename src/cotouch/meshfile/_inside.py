@@ -3,6 +3,7 @@
 import contextlib
 import io
 import os
+import re
 import sys
 import warnings
 from collections.abc import Generator
@@ -39,6 +40,10 @@ _NOT_NEEDED: Final = (
     "shapely",
     "sympy",
     "vhacdx",
+)
+# Sentences of Python and of the libraries about their own arrays and words, which say nothing of the file.
+_OF_A_LIBRARY: Final = re.compile(
+    "array element|cannot reshape|could not (?:convert|be)|invalid literal|buffer|Couldn't read file|Unexpected line"
 )
 
 
@@ -146,8 +151,7 @@ def _quiet(path: Path) -> Generator[None]:
             reason = "it is nested too deeply"
         if isinstance(error, SystemExit) or not reason:
             reason = next((line.strip() for line in said.getvalue().splitlines() if line.strip()), type(error).__name__)
-        # Of the library or of numpy; it says nothing of the file.
-        nothing = isinstance(error, NameError | AttributeError | TypeError | ImportError | IndexError)
-        if nothing or "array element" in reason or "Couldn't read file" in reason:
+        nothing = isinstance(error, NameError | AttributeError | TypeError | ImportError | IndexError | UnicodeError)
+        if nothing or _OF_A_LIBRARY.search(reason):
             reason = "it is not as the format asks for, or was cut off"
         raise BodyError(f"cannot be read as {path.suffix[1:].upper()}: {reason[:160]}") from error

@@ -52,7 +52,9 @@ def read(path: Path, most: int) -> Mesh:
         if kind in corners and (data.ndim != 2 or data.shape[1] != corners[kind]):
             raise ValueError(f"its {kind} cells do not have {corners[kind]} corners each")
     if points.ndim != 2 or points.shape[1] != 3:
-        raise ValueError(f"its points are {' x '.join(map(str, points.shape))}, not P x 3")
+        raise ValueError(
+            "it has no points" if not points.size else f"its points are {' x '.join(map(str, points.shape))}, not P x 3"
+        )
     notes: list[str] = []
     sets = _sets(read, blocks, points.shape[0], notes)
     solid = [data[:, :4] for kind, data in blocks if kind in corners]

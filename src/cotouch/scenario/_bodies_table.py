@@ -137,6 +137,21 @@ class BetweenTable(MeetingTable):
 
     self_contact: bool = False
 
+    def checked(self, placed: list[Placed]) -> list[Placed]:
+        """The same bodies, which it fits.
+
+        Args:
+            placed: all of them.
+
+        Raises:
+            ScenarioError: they are to meet themselves, but none yields.
+        """
+        if self.self_contact and all(one.body.rigid for one in placed):
+            raise ScenarioError(
+                "between.self_contact is true, but no body yields, so none can meet itself; leave it out"
+            )
+        return placed
+
     def made(self) -> Between:
         """For the kernels."""
         return Between(

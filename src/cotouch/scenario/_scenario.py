@@ -259,7 +259,7 @@ class Scenario(Table):
                 return alone
             placed = [Placed(body=alone, name="body")]
         numbers = [number for number, tool in enumerate(self.tools, start=1) if isinstance(tool, RigidToolTable)]
-        body = together([*placed, *placed_tools(tools, numbers, self.network.size)])
+        body = together([*self.between.checked(placed), *placed_tools(tools, numbers, self.network.size)])
         if tools:
             refuse_unfit(body, body.tools[0].name)
         return body

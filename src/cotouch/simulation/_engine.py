@@ -322,7 +322,8 @@ def run(
         made -= ledger[LOCAL_LOSS]
         most_made = max(most_made, made)
         lowest = min(lowest, supplied)
-        put(record.lowest, 1 + i, min(at(record.lowest, 1 + i), ledger[ELASTIC]))
+        held = ledger[ELASTIC] + (at(running, (i, 10)) if touching is not None else 0.0)
+        put(record.lowest, 1 + i, min(at(record.lowest, 1 + i), held))
         record.made[0] = most_made
         record.made[1] = made
         if not ledger[KINETIC] + ledger[ELASTIC] < 1e200:

@@ -115,7 +115,8 @@ class Record(NamedTuple):
         ticks: (len(TICK_BOOKS), ticks) [J].
         running: cumulative ledgers of users, (users, 6), then those of the other books likewise [J].
         lowest: result (1 + users,), over every step: smallest energy that the ports had supplied in all, and that each
-            copy held by its place, at most 0: of one that fell below where it began, what its weight gave [J].
+            copy and its tools held by their places, at most 0: what weight gave one that fell below where it began, and
+            attraction a tool that it drew near [J].
         refused: result (1,): number of the user whose law said what no link can be, 0 if none did.
         made: result (2,): energy that links less the damping B_i had put into all copies, at most and at the end [J].
     """

@@ -64,7 +64,7 @@ def _recorded(prepared: Prepared, run: PeerRun) -> Outcome:
         record.velocity[i, :last] = seen(run.velocity[i][::every])
         ledger = _ledger(reports, books)
         record.users[4:6, i, 0] = start[i]
-        record.lowest[1 + i] = min(0.0, start[i, 1], *(report.elastic for report in reports))
+        record.lowest[1 + i] = min(0.0, start[i, 1], *(report.elastic + report.touch_stored for report in reports))
         record.users[:, i, 1:last] = ledger[every - 1 :: every].T
         own = slice(slots.first[i], slots.first[i + 1])
         work = np.cumsum([report.link_work for report in reports], axis=0).reshape(len(reports), -1)

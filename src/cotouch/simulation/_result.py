@@ -300,7 +300,7 @@ def _traffic(outcome: Outcome) -> dict[str, int]:
 
 
 def _had(record: Record) -> float:
-    """Energy that was there to be taken out: that of the start, and what weight gave copies that fell below it [J]."""
+    """Energy that was there to be taken out: that of the start, and what weight and attraction gave below that [J]."""
     return float(record.ticks[0, 0] - record.lowest[1:].sum())
 
 
