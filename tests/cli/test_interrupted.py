@@ -13,6 +13,8 @@ import pytest
 import trimesh
 from tests.body.shapes import sphere
 
+from cotouch.processes import start_child
+
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 
 # Long beside the second that it may take, and short beside what the commands would go on for [s].
@@ -130,6 +132,29 @@ def test_a_command_at_work_ends(after: float, arguments: list[str], tmp_path: Pa
         "err",
     }
     assert not list(tmp_path.glob("report/*"))
+
+
+def test_members_that_load_end_with_their_demo(tmp_path: Path) -> None:
+    command = Command(tmp_path, "demo", "--no-page", "--users", "2")
+    command.until(lambda: len(command.left()) >= 3)
+    time.sleep(0.2)  # while they load libraries
+    code, said = command.interrupted()
+    assert code == 130, said
+    assert said.splitlines()[-1] == "cotouch: interrupted"
+    assert said.count("interrupted") == 1
+    assert "Traceback" not in said
+
+
+@pytest.mark.parametrize("after", [0.02, 0.1, 1.0])
+def test_whoever_started_it_says_that_it_was_interrupted(after: float, tmp_path: Path) -> None:
+    """Ctrl-C reaches a command and its children: one line, not one of each."""
+    (tmp_path / "long.toml").write_text(LONG, encoding="utf-8")
+    words = [sys.executable, "-m", "cotouch", "simulate", str(tmp_path / "long.toml")]
+    child = start_child(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    time.sleep(after)
+    child.send_signal(signal.SIGINT)
+    assert child.communicate(timeout=_PATIENCE)[1].count("interrupted") == 0
+    assert child.returncode in {130, -signal.SIGINT}  # Python itself ends by the signal before it runs our code
 
 
 @pytest.mark.parametrize(
