@@ -22,7 +22,7 @@ from tests.recording.driven import Driven
 from tests.web.fake_session_api import FakeSessionApi
 
 from cotouch.cli import app
-from cotouch.haptics import GROUP, Driver, driver
+from cotouch.haptics import Driver, driver
 from cotouch.laboratory import Study
 from cotouch.laws import laws
 from cotouch.mechanics import CONTACT_LAWS, device_couplings
@@ -43,6 +43,7 @@ READ = {
     "devices check": "moves a device that is plugged in",
 }
 SHELL = {"source"}
+GROUPS = ("cotouch.devices", "cotouch.laws", "cotouch.contact_laws", "cotouch.couplings")
 Names = dict[str, Any]
 
 
@@ -119,7 +120,7 @@ def read_toml(block: Block) -> None:
     if "[[session.devices]]" in block.text:
         SessionFile.from_toml((ROOT / "examples/live.toml").read_text(encoding="utf-8") + block.text)
     elif "entry-points" in block.text:
-        assert any(f'[project.entry-points."{group}"]' in block.text for group in (GROUP, "cotouch.couplings"))
+        assert any(f'[project.entry-points."{group}"]' in block.text for group in GROUPS)
     elif block.text.startswith(("[channel]", "[contact]", "[world]")):
         tables = tomllib.loads(block.text)
         assert Scenario.make(network=TWO, **tables).model_fields_set == {"network", *tables}

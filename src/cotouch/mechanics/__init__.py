@@ -2,7 +2,9 @@
 
 from cotouch.mechanics._apart import are_apart, move_apart
 from cotouch.mechanics._balance_groups import closing_of
+from cotouch.mechanics._bounds import beyond, written_here
 from cotouch.mechanics._closed import CLOSURE_ALARM, closed_settle, closed_step, slowed
+from cotouch.mechanics._contact_conform import conform_contact_law, contact_law_named
 from cotouch.mechanics._contact_foundation import Foundation
 from cotouch.mechanics._contact_law import CONTACT_LAWS, press
 from cotouch.mechanics._contact_parts import contact_parts
@@ -57,6 +59,7 @@ from cotouch.mechanics._meeting_force import deepest_between
 from cotouch.mechanics._model import Basis, Model, model
 from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply, rescaled
 from cotouch.mechanics._path import path_place
+from cotouch.mechanics._reason import reason
 from cotouch.mechanics._rest import REST_DRIFT, REST_FIELDS, place_at_rest, rest_fraction
 from cotouch.mechanics._shape import SHAPES, Box, Plane, Plate, Shape, shape_of, shape_table
 from cotouch.mechanics._shape_solid import Solid
@@ -184,6 +187,7 @@ __all__ = [
     "available_energy",
     "begin_cut",
     "begin_world",
+    "beyond",
     "block",
     "book_end",
     "checked_toll",
@@ -191,7 +195,9 @@ __all__ = [
     "closed_settle",
     "closed_step",
     "closing_of",
+    "conform_contact_law",
     "contact_by",
+    "contact_law_named",
     "contact_parts",
     "contact_step",
     "coupling_at",
@@ -239,6 +245,7 @@ __all__ = [
     "press_skin",
     "push_of",
     "put",
+    "reason",
     "register_coupling",
     "relief_on",
     "rescaled",
@@ -269,4 +276,5 @@ __all__ = [
     "virtual_coupling_limit",
     "where",
     "workspace",
+    "written_here",
 ]
