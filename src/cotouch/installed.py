@@ -5,7 +5,7 @@ An entry point names an object under the object's own name::
     [project.entry-points."cotouch.laws"]
     ahead = "my_law:AHEAD"
 
-Groups are `cotouch.devices`, `cotouch.laws`, `cotouch.contact_laws` and `cotouch.couplings`.
+Groups are `cotouch.devices`, `cotouch.laws`, `cotouch.contact_laws`, `cotouch.couplings` and `cotouch.materials`.
 """
 
 from importlib.metadata import entry_points

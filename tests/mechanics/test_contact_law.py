@@ -81,8 +81,8 @@ def broken(law: Broken, stiffness: float, radius: float, depth: float) -> Any:
     ("slip", "said"),
     [
         (1, "it returns 2 values; it must return energy, pressure and slope"),
-        (2, "it cannot be evaluated: depth may be four numbers, which take whole powers only, not 2.5"),
-        (3, "it cannot be evaluated: depth may be four numbers, so it cannot branch on it"),
+        (2, "it cannot be evaluated: four numbers at once take whole powers only, not 2.5"),
+        (3, "it cannot be evaluated: it branches on what may be four numbers at once"),
         (4, "energy, pressure or slope is negative or no number"),
         (5, "energy or pressure does not vanish at the tool's surface"),
         (6, "slope is below the derivative of pressure"),

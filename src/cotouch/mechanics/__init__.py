@@ -1,5 +1,6 @@
 """How a body moves, passively: the compiled step and what it needs."""
 
+from cotouch.mechanics import _matrix3 as matrix3
 from cotouch.mechanics._apart import are_apart, move_apart
 from cotouch.mechanics._balance_groups import closing_of
 from cotouch.mechanics._bounds import beyond, written_here
@@ -63,6 +64,7 @@ from cotouch.mechanics._reason import reason
 from cotouch.mechanics._rest import REST_DRIFT, REST_FIELDS, place_at_rest, rest_fraction
 from cotouch.mechanics._shape import SHAPES, Box, Plane, Plate, Shape, shape_of, shape_table
 from cotouch.mechanics._shape_solid import Solid
+from cotouch.mechanics._solid import register_solid
 from cotouch.mechanics._state import (
     BETA,
     BODY_LOSS,
@@ -225,6 +227,7 @@ __all__ = [
     "lean",
     "load",
     "mark_cuts",
+    "matrix3",
     "message_of",
     "mixed",
     "mixed_stretch",
@@ -247,6 +250,7 @@ __all__ = [
     "put",
     "reason",
     "register_coupling",
+    "register_solid",
     "relief_on",
     "rescaled",
     "resist",

@@ -1,12 +1,13 @@
 """What every contact law must do, and those that other installed packages bring."""
 
 from collections.abc import Callable
-from typing import Any, TypeAlias, cast, final
+from typing import Any, TypeAlias, cast
 
 from cotouch.errors import ScenarioError
 from cotouch.installed import installed, installed_names
 from cotouch.mechanics._bounds import as_written, written_here
 from cotouch.mechanics._contact_law import CONTACT_LAWS
+from cotouch.mechanics._four_numbers import FourNumbers
 
 # Entry points of contact laws that other packages bring.
 GROUP = "cotouch.contact_laws"
@@ -14,49 +15,6 @@ GROUP = "cotouch.contact_laws"
 _TOOL = 1000.0, 0.01
 _DEPTHS = (1e-4, 0.01, 0.1, 0.3)
 _Press: TypeAlias = Callable[[Any, float, float, Any], tuple[Any, Any, Any]]
-
-
-@final
-class _Four:
-    """Stands for four numbers in a machine vector: what these cannot do, it cannot do either."""
-
-    def __init__(self, value: float) -> None:
-        self.value = value
-
-    def __pow__(self, power: float) -> "_Four":
-        if not isinstance(power, int):
-            message = f"depth may be four numbers, which take whole powers only, not {power}"
-            raise TypeError(message)
-        return _Four(self.value**power)
-
-    def __bool__(self) -> bool:
-        message = "depth may be four numbers, so it cannot branch on it"
-        raise TypeError(message)
-
-    def __neg__(self) -> "_Four":
-        return _Four(-self.value)
-
-
-def _operator(name: str) -> Callable[[_Four, "_Four | float"], _Four]:
-    def apply(this: _Four, other: _Four | float) -> _Four:
-        number = other.value if isinstance(other, _Four) else float(other)
-        return _Four(getattr(float(this.value), name)(number))
-
-    return apply
-
-
-for _name in ("add", "sub", "mul", "truediv"):
-    for _side in (f"__{_name}__", f"__r{_name}__"):
-        setattr(_Four, _side, _operator(_side))
-
-
-def _compared(this: _Four, other: "_Four | float") -> _Four:
-    del other
-    return this
-
-
-for _name in ("lt", "le", "gt", "ge"):
-    setattr(_Four, f"__{_name}__", _compared)
 
 
 def conform_contact_law(law: tuple[float, ...]) -> list[str]:
@@ -89,9 +47,10 @@ def _findings(law: tuple[float, ...], press: _Press) -> list[str]:
             found.append("slope is below the derivative of pressure")
         if not min(energy, pressure, slope) >= 0.0:
             found.append("energy, pressure or slope is negative or no number")
-        four = press(law, stiffness, radius, _Four(depth))
+        four = press(law, stiffness, radius, FourNumbers(depth))
         if any(
-            isinstance(n, _Four) and abs(n.value - one) > 1e-12 * abs(one) for n, one in zip(four, values, strict=True)
+            isinstance(n, FourNumbers) and abs(n.value - one) > 1e-12 * abs(one)
+            for n, one in zip(four, values, strict=True)
         ):
             found.append("four points at once differ from one")
     if max(press(law, stiffness, radius, 0.0)[:2]) != 0.0:
