@@ -324,10 +324,7 @@ def plan(
     figures: Annotated[Path | None, typer.Option(help="Save figures to this folder.", show_default=False)] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Find the best links between users.
-
-    The result says whether the links are proved optimal for the objective.
-    """
+    """Find the best links, and say whether they are proved to be so."""
     from cotouch.cli._plan import run
 
     run(
