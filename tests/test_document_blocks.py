@@ -21,11 +21,12 @@ from tests.cli.commands import here
 from tests.recording.driven import Driven
 from tests.web.fake_session_api import FakeSessionApi
 
+from cotouch.body import solid_laws
 from cotouch.cli import app
-from cotouch.haptics import GROUP, Driver, driver
+from cotouch.haptics import Driver, driver
 from cotouch.laboratory import Study
 from cotouch.laws import laws
-from cotouch.mechanics import CONTACT_LAWS, device_couplings
+from cotouch.mechanics import CONTACT_LAWS, LAWS, device_couplings
 from cotouch.members import SessionFile
 from cotouch.scenario import Scenario
 
@@ -43,6 +44,7 @@ READ = {
     "devices check": "moves a device that is plugged in",
 }
 SHELL = {"source"}
+GROUPS = ("cotouch.devices", "cotouch.laws", "cotouch.contact_laws", "cotouch.couplings", "cotouch.materials")
 Names = dict[str, Any]
 
 
@@ -119,7 +121,7 @@ def read_toml(block: Block) -> None:
     if "[[session.devices]]" in block.text:
         SessionFile.from_toml((ROOT / "examples/live.toml").read_text(encoding="utf-8") + block.text)
     elif "entry-points" in block.text:
-        assert any(f'[project.entry-points."{group}"]' in block.text for group in (GROUP, "cotouch.couplings"))
+        assert any(f'[project.entry-points."{group}"]' in block.text for group in GROUPS)
     elif block.text.startswith(("[channel]", "[contact]", "[world]")):
         tables = tomllib.loads(block.text)
         assert Scenario.make(network=TWO, **tables).model_fields_set == {"network", *tables}
@@ -179,17 +181,19 @@ def run_block(block: Block, names: Names) -> None:
 @contextmanager
 def desk_in(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Generator[None]:
     """An empty folder with the examples beside it, from which modules are imported. What a page adds goes again."""
-    contacts, modules = dict(CONTACT_LAWS), dict(sys.modules)
+    contacts, forces, modules = dict(CONTACT_LAWS), dict(LAWS), dict(sys.modules)
     (folder / "examples").symlink_to(ROOT / "examples")
     monkeypatch.setattr("cotouch.mechanics._coupling_law._KNOWN", device_couplings())
     monkeypatch.setattr("cotouch.laws._law._KNOWN", laws())
+    monkeypatch.setattr("cotouch.body._material._SOLIDS", dict.fromkeys(solid_laws(), 0.0))
     monkeypatch.chdir(folder)
     monkeypatch.syspath_prepend(str(folder))
     try:
         yield
     finally:
-        for law in CONTACT_LAWS.keys() - contacts.keys():
-            del CONTACT_LAWS[law]
+        for registry, before in ((CONTACT_LAWS, contacts), (LAWS, forces)):
+            for law in registry.keys() - before.keys():
+                del registry[law]
         # Else whoever imports a module of that name from another folder gets this one, which registers nothing.
         for name in sys.modules.keys() - modules.keys():
             if Path(getattr(sys.modules[name], "__file__", None) or ROOT).is_relative_to(folder):

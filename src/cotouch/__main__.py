@@ -11,6 +11,8 @@ if TYPE_CHECKING:
 # So long may an interrupted command take to tidy up: what it was compiling or working out may go on for minutes [s].
 _TIDY = 1.0
 _INTERRUPTED = 130
+# Whoever started this process says what a Ctrl-C at both of them did.
+_SAID = "" if "COTOUCH_PARENT" in os.environ else "cotouch: interrupted\n"
 
 
 def _code() -> int:
@@ -25,7 +27,7 @@ def _code() -> int:
         sys.stderr.write(f"{end.code}\n")
         return 1
     except KeyboardInterrupt:  # before the command began, or while it ended
-        sys.stderr.write("cotouch: interrupted\n")
+        sys.stderr.write(_SAID)
         return _INTERRUPTED
     except BaseException:  # noqa: BLE001 - as Python itself would end
         import traceback
@@ -50,7 +52,7 @@ def run() -> "NoReturn":
             hard.start()
         _finish()
     except KeyboardInterrupt:
-        sys.stderr.write("cotouch: interrupted\n")
+        sys.stderr.write(_SAID)
         code = _INTERRUPTED
     os._exit(code)
 

@@ -25,6 +25,7 @@ except ImportError:  # no Unix: folders are removed by whoever made them only
 _PIPE: Final = "COTOUCH_PARENT"
 # A child that is told to end and does not is ended after so long [s].
 _PATIENCE: Final = 5.0
+_tied = threading.Event()
 _MEMORY: Final = Path("/dev/shm")  # noqa: S108  # mailboxes on a disk would wait for it
 _PREFIX: Final = "cotouch-"
 _OWNER: Final = "owner"
@@ -65,8 +66,14 @@ def tie_to_parent() -> None:
     pipe = os.environ.pop(_PIPE, "")
     if not pipe.isdecimal():
         return
+    _tied.set()
     os.set_inheritable(int(pipe), False)
     threading.Thread(target=_watch, args=(int(pipe),), name="cotouch parent", daemon=True).start()
+
+
+def tied() -> bool:
+    """Whether this process is a child of another of ours, which tells the user what a Ctrl-C at both of them did."""
+    return _tied.is_set()
 
 
 def _watch(pipe: int) -> None:

@@ -13,6 +13,8 @@ import pytest
 import trimesh
 from tests.body.shapes import sphere
 
+from cotouch.processes import start_child
+
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 
 # Long beside the second that it may take, and short beside what the commands would go on for [s].
@@ -35,6 +37,12 @@ every = 1000
 """
 
 
+def worked(pid: int) -> float:
+    """Time that a process has used [s]."""
+    fields = Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
+    return sum(map(int, fields[11:13])) / _TICK
+
+
 class Command:
     """A command in a process of its own, as a terminal starts it."""
 
@@ -52,9 +60,8 @@ class Command:
             )
 
     def worked(self) -> float:
-        """Time that the process has used, with the children that have ended [s]."""
-        fields = Path(f"/proc/{self.process.pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
-        return sum(map(int, fields[11:13])) / _TICK
+        """Time that the process has used [s]."""
+        return worked(self.process.pid)
 
     def until(self, ready: Callable[[], bool]) -> None:
         end = time.monotonic() + _STARTS
@@ -130,6 +137,32 @@ def test_a_command_at_work_ends(after: float, arguments: list[str], tmp_path: Pa
         "err",
     }
     assert not list(tmp_path.glob("report/*"))
+
+
+def test_members_that_load_end_with_their_demo(tmp_path: Path) -> None:
+    command = Command(tmp_path, "demo", "--no-page", "--users", "2")
+    command.until(lambda: len(command.left()) >= 3)
+    time.sleep(0.2)  # while they load libraries
+    code, said = command.interrupted()
+    assert code == 130, said
+    assert said.splitlines()[-1] == "cotouch: interrupted"
+    assert said.count("interrupted") == 1
+    assert "Traceback" not in said
+
+
+@pytest.mark.parametrize("after", [0.3, 1.0])
+def test_whoever_started_it_says_that_it_was_interrupted(after: float, tmp_path: Path) -> None:
+    """Ctrl-C reaches a command and its children: one line, not one of each."""
+    (tmp_path / "long.toml").write_text(LONG, encoding="utf-8")
+    words = [sys.executable, "-m", "cotouch", "simulate", str(tmp_path / "long.toml")]
+    child = start_child(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    end = time.monotonic() + _STARTS
+    while worked(child.pid) < after:
+        assert time.monotonic() < end, "it never gets so far"
+        time.sleep(0.02)
+    child.send_signal(signal.SIGINT)
+    assert child.communicate(timeout=_PATIENCE)[1].count("interrupted") == 0
+    assert child.returncode == 130
 
 
 @pytest.mark.parametrize(

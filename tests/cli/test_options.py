@@ -4,6 +4,7 @@ from pathlib import Path
 
 import typer
 from tests.cli.commands import here
+from typer.testing import CliRunner
 
 from cotouch.cli import app
 from cotouch.scenario import FileTable, Scenario
@@ -33,3 +34,10 @@ def test_no_duration_is_below_zero() -> None:
         done = here(name, *([] if name == "demo" else ["nothing"]), "--duration", "-2")
         assert done.returncode == 2
         assert "Invalid value for '--duration'" in done.stderr
+
+
+def test_the_list_of_commands_cuts_no_sentence() -> None:
+    for words in ((), ("devices",)):
+        shown = CliRunner().invoke(app, [*words, "--help"], terminal_width=80).output.partition("Commands:\n")[2]
+        assert "  list " in shown or "  simulate " in shown
+        assert "..." not in shown

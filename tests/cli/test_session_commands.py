@@ -333,7 +333,7 @@ def test_a_demo_that_is_killed_leaves_neither_members_nor_boards(
         (("demo", "--users", "0"), "--users is 0; it must be from 1 to 32"),
         (("demo", "--users", "33"), "--users is 33"),
         (("demo", "--duration", "inf"), "--duration is inf; it must be a finite number of seconds"),
-        (("demo", "--body", "ball"), '--body is "ball"; it must be point or block'),
+        (("demo", "--body", "ball"), '--body is "ball"; it must be one of point, block'),
         (("demo", "--impair", "loss=2"), '--impair is "loss=2"'),
         (("demo", "--impair", "noise=0.1"), '--impair is "noise=0.1"'),
     ],

@@ -24,6 +24,22 @@ def test_a_signal_ends_the_loop_in_order_and_a_second_one_at_once(name: str) -> 
     assert signal.getsignal(number) == before
 
 
+class Behind:
+    """Something behind which Python tidies up: it drops what is raised meanwhile."""
+
+    def __del__(self) -> None:
+        os.kill(os.getpid(), signal.SIGINT)
+
+
+def test_a_signal_that_python_drops_is_kept_in_mind(capsys: pytest.CaptureFixture[str]) -> None:
+    """A member that compiled as Ctrl-C came went on for good, with a traceback that concerned nobody."""
+    with stop_signals() as stopped:
+        things = [Behind()]
+        things.clear()
+        assert stopped()
+    assert capsys.readouterr().err == ""
+
+
 def test_a_command_that_is_to_outlive_its_terminal_does() -> None:
     before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
     try:

@@ -4,9 +4,12 @@ import dataclasses
 from typing import Any
 
 from cotouch.body import chain
-from cotouch.laws import SPRING, Law, laws, register
+from cotouch.installed import installed_names
+from cotouch.laws import SPRING, Law, law_named, laws, register
 from cotouch.scenario import Scenario
 
+for name in installed_names("cotouch.laws"):  # the suite is that of whoever brings a law, too
+    law_named(name)
 AS_LAW = register(dataclasses.replace(SPRING, name="spring as law", _parts=[]))
 OTHERS = sorted(set(laws()) - {"spring", "spring as law"})
 PASSIVE = [name for name in OTHERS if laws()[name].passive]

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.body import Body, body_from_tetrahedra, lattice, rigid_box
+from cotouch.body import Body, body_from_tetrahedra, is_solid_model, lattice, rigid_box, solid_laws
+from cotouch.installed import installed_names
 from cotouch.mechanics import (
     ELASTIC,
     KINETIC,
@@ -31,7 +32,9 @@ Float = npt.NDArray[np.float64]
 SHAPE, SPACING, YOUNG, POISSON, DENSITY = (4, 3, 3), 0.01, 1e4, 0.3, 1000.0
 GRIDS = ("floating", "cells", "spring-network")
 FLOATS = {"floating", "rigid"}
-SOLIDS = ("elastic floating", "corotated", "st-venant-kirchhoff", "neo-hookean")
+for name in installed_names("cotouch.materials"):  # the suite is that of whoever brings a material, too
+    is_solid_model(name)
+SOLIDS = ("elastic floating", *solid_laws())
 EVERY = (*GRIDS, *SOLIDS, "rigid")
 # What never meets anything is stepped by the machine code of what does.
 FAR = Obstacle(shape=Plane(point=(0.0, 0.0, -1e3)), stiffness=1.0)

@@ -9,7 +9,7 @@ from scipy.integrate import solve_bvp
 from scipy.sparse.linalg import spsolve
 from tests.mechanics.materials import Alone, boxes, energy_at, force_between
 
-from cotouch.body import SolidModel, body_from_tetrahedra
+from cotouch.body import body_from_tetrahedra
 
 Float = npt.NDArray[np.float64]
 YOUNG, THICK = 1e5, 0.01
@@ -57,7 +57,7 @@ def elastica(load: float, length: float) -> Elastica:
     return Elastica(length * s, y[0], length * y[2:].T)
 
 
-def bent_beam(model: SolidModel, fine: int, *, slender: int, load: float, wide: int = 1) -> tuple[Float, int]:
+def bent_beam(model: str, fine: int, *, slender: int, load: float, wide: int = 1) -> tuple[Float, int]:
     """How far the middle of the tip's face comes, along and across [m], and how many nodes the beam has.
 
     Newton's method on the energy of the kernels, with differences of their gradient as its tangent; it begins at the

@@ -1,12 +1,15 @@
 """What every device coupling must do: conformance over the registry, and the accounts of both ends."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 import pytest
 
+from cotouch.device import installed_coupling
 from cotouch.errors import DeviceError
+from cotouch.installed import installed_names
 from cotouch.mechanics import (
     END,
     DeviceCoupling,
@@ -24,6 +27,8 @@ from cotouch.mechanics import (
 from cotouch.mechanics import kernel as compiled
 
 Float = npt.NDArray[np.float64]
+for name in installed_names("cotouch.couplings"):  # the suite is that of whoever brings a coupling, too
+    installed_coupling(name)
 EVERY = list(device_couplings().values())
 
 
@@ -240,3 +245,28 @@ def test_gifts_keep_every_joule() -> None:
 def test_a_coupling_that_is_not_there_is_one_sentence() -> None:
     with pytest.raises(DeviceError, match='coupling is "stiff"; it must be one of pspm, virtual'):
         coupling_named("stiff")
+
+
+def _beyond(end: Float) -> None:
+    hold_gap(end, 0.0, 1.0, 0.0, 0.0)
+    end[END.memory + 4] = 1.0
+
+
+def _misspelt(end: Float) -> None:
+    end[END.gop] = 1.0  # pyright: ignore[reportAttributeAccessIssue, reportUnknownArgumentType, reportUnknownMemberType]
+
+
+@pytest.mark.parametrize(
+    ("half", "said"),
+    [
+        (_beyond, 'coupling "odd" leaves its row: index 53 is out of bounds for axis 0 with size 53 (test_device_'),
+        (_misspelt, "coupling \"odd\" cannot be compiled: Unknown attribute 'gop' of type EndFields"),
+    ],
+)
+def test_what_a_coupling_gets_wrong_is_one_sentence(half: Callable[[Float], None], said: str) -> None:
+    law = DeviceCoupling(name="odd", device=half, proxy=half)
+    for proxy in (False, True):
+        with pytest.raises(DeviceError) as caught:
+            law.half(proxy=proxy)
+        assert str(caught.value).startswith(said)
+        assert "\n" not in str(caught.value)

@@ -247,7 +247,7 @@ BAD = [
     ({"links": 3, "top": 0}, "top is 0"),
     ({"links": 3, "top": 10**12}, "top is 1000000000000; it must be at most 1000"),
     ({"links": 3, "seed": -1}, "seed is -1"),
-    ({"links": 3, "seconds": math.nan}, "seconds is nan"),
+    ({"links": 3, "seconds": math.nan}, r"the time limit \(seconds\) is nan"),
     ({"links": 3, "objective": "decay", "mass": 0.0}, "mass is 0 kg"),
     ({"links": 3, "objective": "decay", "mass": [1.0, 2.0], "damping": [1.0, 2.0, 3.0]}, "have 2, 3, 1 entries"),
     ({"links": 3, "objective": "decay", "sync_damping": [1.0]}, "sync_damping has shape"),

@@ -76,7 +76,7 @@ def test_a_network_alone_is_a_scenario() -> None:
         ("[[hands]]\nuser = 1\npath = [[0.0, 1.0], [0.0, 2.0]]", ["path", "increase"]),
         ("[[hands]]\nuser = 1\npath = [[0.0, 1.0, 2.0]]", ["hands[1].path", "waypoint"]),
         ("[[hands]]\nuser = 1\nbegin = 2.0\nrelease = 1.0", ["release is 1.0", "later"]),
-        ("[[hands]]\nuser = 'x'", ["hands[1].user", "'x'"]),
+        ("[[hands]]\nuser = 'x'", ["hands[1].user", "'x'", "must be an integer"]),
         ("[initial]\nposition = [1.0]", ["initial.position", "1 entries"]),
         ("[initial]\nposition = [1.0, [1.0, 2.0, 3.0]]", ["initial.position[2]"]),
         ("[body]\nmass = 0.0", ["body.mass", "0.0"]),

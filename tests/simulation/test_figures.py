@@ -1,4 +1,5 @@
 import json
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from cotouch.drawing import DASHES, USERS, decimate, peak, prefix, user_line
+from cotouch.drawing import drawn as rendered
 from cotouch.errors import OutputError, ScenarioError
 from cotouch.scenario import Scenario
 from cotouch.simulation import at_times, figures, save_figures, simulate
@@ -283,3 +285,11 @@ def test_interpolation_of_rates_matches_at_times(own_rates: xr.Dataset) -> None:
     (line,) = drawn(figures(own_rates)["forces"].axes[1])
     scale = 1e3 if figures(own_rates)["forces"].axes[1].get_ylabel().endswith("mN") else 1.0
     np.testing.assert_allclose(line[:, 1], scale * np.interp(line[:, 0], ticks[1:], total), atol=1e-12 * scale)
+
+
+def test_a_name_in_letters_that_the_font_lacks_is_no_warning() -> None:
+    figure = Figure()
+    figure.suptitle("🐙")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert rendered(figure, dpi=20.0)

@@ -10,8 +10,8 @@ from cotouch.body._eigenspaces import canonical
 from cotouch.body._from_surface import MOST_TRIANGLES, body_from_surface
 from cotouch.body._from_tetrahedra import MOST_ELEMENTS, body_from_tetrahedra
 from cotouch.body._ground import Box, Held, NodeSet, Plane
-from cotouch.body._material import Frame, Material
-from cotouch.body._mesh_material import SolidModel, SurfaceModel
+from cotouch.body._material import Frame, Material, add_solid_law, solid_laws
+from cotouch.body._mesh_material import SurfaceModel, is_solid_model, solid_models
 from cotouch.body._origin import Origin
 from cotouch.body._part import DrawnPart, Part, ToolBody, drawn_parts, drawn_tools, grip_shares, pulls_of
 from cotouch.body._reading import Unit
@@ -48,12 +48,12 @@ __all__ = [
     "Placed",
     "Plane",
     "Skin",
-    "SolidModel",
     "SumOfSquares",
     "SurfaceModel",
     "ToolBody",
     "Truncation",
     "Unit",
+    "add_solid_law",
     "axial",
     "body_from_surface",
     "body_from_tetrahedra",
@@ -66,6 +66,7 @@ __all__ = [
     "drawn_tools",
     "frame_of",
     "grip_shares",
+    "is_solid_model",
     "is_surface",
     "joined",
     "lattice",
@@ -78,6 +79,8 @@ __all__ = [
     "rigid_sphere",
     "scaled",
     "shares_of",
+    "solid_laws",
+    "solid_models",
     "strain_law",
     "together",
     "turn_vectors",

@@ -13,7 +13,7 @@ import scipy.sparse as sp
 from cotouch.arrays import Float
 from cotouch.body._body_checks import check_mass, check_rates, rest_shape
 from cotouch.body._checks import Form, Matrix, SumOfSquares, diagonal, plausible, positive, square
-from cotouch.body._material import Material
+from cotouch.body._material import Material, cuttable_models
 from cotouch.body._origin import Origin
 from cotouch.body._part import Part, cuttable_parts, held_shares, held_vertices
 from cotouch.body._skin import Skin
@@ -285,8 +285,8 @@ class Body:
             return self._made_of(self.material, parts=made)
         if self.material is None:
             raise BodyError(
-                'cutting takes away elements, but the body is linear and has none; take model "spring-network", '
-                '"cells", "corotated", "st-venant-kirchhoff" or "neo-hookean"'
+                "cutting takes away elements, but the body is linear and has none; take one of the models "
+                f'"spring-network", {cuttable_models()}'
             )
         if self.dimension != 3:
             raise BodyError(f"cutting needs a body of 3 axes, but this one has {self.dimension}")

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Final, get_args
+from typing import Final
 
 import numpy as np
 
@@ -14,7 +14,14 @@ from cotouch.body._builders import MOST_NODES
 from cotouch.body._ground import Held
 from cotouch.body._lines import doubled
 from cotouch.body._material import Frame
-from cotouch.body._mesh_material import SolidModel, check_material, frame_of_model, of_tetrahedra, warned
+from cotouch.body._mesh_material import (
+    check_material,
+    frame_of_model,
+    is_solid_model,
+    of_tetrahedra,
+    solid_models,
+    warned,
+)
 from cotouch.body._mesh_parts import Parts, of_parts
 from cotouch.body._pieces import boundary_of, hinged, one_piece, volumes_of, without_broken
 from cotouch.body._reading import Unit, as_mesh, check_indices, metres
@@ -34,7 +41,7 @@ def body_from_tetrahedra(
     source: MeshSource,
     *,
     unit: Unit | None = None,
-    model: SolidModel = "elastic",
+    model: str = "elastic",
     young: float = 1e4,
     poisson: float = 0.3,
     stiffness: float | None = None,
@@ -94,9 +101,10 @@ def body_from_tetrahedra(
         ('full', 1000)
     """
     name = name_of(source)
+    is_solid_model(model)
     check_material(
         model,
-        get_args(SolidModel),
+        solid_models(),
         young=young,
         poisson=poisson,
         stiffness=stiffness,

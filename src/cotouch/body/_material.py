@@ -9,22 +9,60 @@ import numpy as np
 from cotouch.arrays import Float, Long
 from cotouch.body._strains import frame_of
 from cotouch.errors import BodyError
+from cotouch.installed import installed
 
-MaterialModel: TypeAlias = Literal[
-    "linear",
-    "floating",
-    "spring-network",
-    "cells",
-    "corotated",
-    "st-venant-kirchhoff",
-    "neo-hookean",
-    "rigid",
-    "several",
-]
 Frame: TypeAlias = Literal["fixed", "floating"]
 
 # Corners of an element of each model; those without elements take the body's own matrices.
-_CORNERS = {"spring-network": 2, "cells": 8, "corotated": 4, "st-venant-kirchhoff": 4, "neo-hookean": 4, "rigid": 4}
+_CORNERS = {"spring-network": 2, "cells": 8, "rigid": 4}
+_WITHOUT = ("linear", "floating", "several")
+# Laws of tetrahedra, and what each needs Poisson's ratio to be above.
+_SOLIDS = {"corotated": -1.0, "st-venant-kirchhoff": -1.0, "neo-hookean": 0.0}
+# Entry points of those that other packages bring.
+GROUP = "cotouch.materials"
+
+
+def add_solid_law(name: str, *, poisson_above: float = -1.0) -> None:
+    """Makes a law of tetrahedra known by its name; see `cotouch.mechanics.register_solid`, which does the rest.
+
+    Args:
+        name: as `model`.
+        poisson_above: what Poisson's ratio must be above.
+    """
+    _SOLIDS[name] = poisson_above
+
+
+def solid_laws() -> tuple[str, ...]:
+    """Names of all laws of tetrahedra."""
+    return tuple(_SOLIDS)
+
+
+def is_solid_law(name: str) -> bool:
+    """Whether a name is that of a law of tetrahedra; one of an installed package is loaded.
+
+    Args:
+        name: of a model.
+
+    Raises:
+        BodyError: it cannot be loaded.
+    """
+    if name not in _SOLIDS:
+        installed(GROUP, name, object, what="material", error=BodyError)  # its module registers it
+    return name in _SOLIDS
+
+
+def least_poisson(model: str) -> float:
+    """What Poisson's ratio must be above.
+
+    Args:
+        model: of a material.
+    """
+    return _SOLIDS.get(model, -1.0)
+
+
+def cuttable_models() -> str:
+    """Models of which elements can be taken away so that the skin closes, in words."""
+    return ", ".join(f'"{name}"' for name in ("cells", *_SOLIDS))
 
 
 @final
@@ -60,7 +98,7 @@ class Material:
             (0,).
     """
 
-    model: MaterialModel
+    model: str
     elements: Long = field(default_factory=lambda: np.zeros((0, 0), dtype=np.int64))
     stiffness: Float = field(default_factory=lambda: np.zeros(0))
     young: float | Float = 0.0
@@ -79,7 +117,7 @@ class Material:
     @property
     def solid(self) -> bool:
         """Whether its elements are tetrahedra with a law of their own."""
-        return self.model in {"corotated", "st-venant-kirchhoff", "neo-hookean"}
+        return self.model in _SOLIDS
 
     @property
     def closes(self) -> bool:
@@ -95,8 +133,9 @@ class Material:
         Raises:
             BodyError: a value is out of its range, an element names a node that there is not, or is turned inside out.
         """
-        if self.model not in get_args(MaterialModel):
-            raise BodyError(f'model is "{self.model}"; it must be one of {", ".join(get_args(MaterialModel))}')
+        known = (*_WITHOUT, *_CORNERS, *_SOLIDS)
+        if self.model not in known and not is_solid_law(self.model):
+            raise BodyError(f'model is "{self.model}"; it must be one of {", ".join(known)}')
         nodes, dimension = rest.shape
         viscosity = _first_bad(self.viscosity, 0.0, inf, least=True)
         if viscosity is not None:
@@ -111,11 +150,11 @@ class Material:
             raise BodyError(f"gravity is {self.gravity}; it must be three finite numbers [m/s²]")
         if dimension < 2 and self.model != "linear":
             raise BodyError(f'model is "{self.model}", but the body has one axis; a body that turns needs 2 or 3')
-        corners = _CORNERS.get(self.model)
+        corners = 4 if self.solid else _CORNERS.get(self.model)
         if self.cuttable and not (self.closes or self.model == "spring-network"):
             raise BodyError(
                 f'cutting takes away elements, but model is "{self.model}", which has none; take one of '
-                + ", ".join(name for name in _CORNERS if name != "rigid")
+                f'"spring-network", {cuttable_models()}'
             )
         if self.cuttable and not self.tear > 0.0:
             raise BodyError(f"tear is {self.tear}; it must be a strain above 0, a share of the length at rest")
@@ -164,7 +203,7 @@ class Material:
             raise BodyError("faces name nodes or elements that do not exist, or a tie or part is out of range")
 
     def _check_solid(self, rest: Float) -> None:
-        least = 0.0 if self.model == "neo-hookean" else -1.0
+        least = least_poisson(self.model)
         poisson, young = _first_bad(self.poisson, least, 0.5), _first_bad(self.young, 0.0, inf)
         if poisson is not None:
             raise BodyError(f'poisson is {poisson}; with model "{self.model}" it must be above {least:g} and below 0.5')

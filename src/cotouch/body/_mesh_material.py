@@ -9,21 +9,32 @@ from cotouch.arrays import Float, Long
 from cotouch.body import _elasticity as elasticity
 from cotouch.body._cells import Cells
 from cotouch.body._checks import one_number
-from cotouch.body._material import Frame, Material, linear_material
+from cotouch.body._material import Frame, Material, is_solid_law, least_poisson, linear_material, solid_laws
 from cotouch.errors import BodyError
 
 # What follows K and B as they are, in a frame; and with what turns by itself.
 LinearModel: TypeAlias = Literal["springs", "elastic"]
 SurfaceModel: TypeAlias = Literal["springs", "elastic", "cells", "spring-network", "rigid"]
-SolidModel: TypeAlias = Literal[
-    "springs", "elastic", "spring-network", "corotated", "st-venant-kirchhoff", "neo-hookean", "rigid"
-]
 # Those that take springs' stiffness.
 _OF_SPRINGS: Final = ("springs", "cells", "spring-network")
 # Above this Poisson's ratio linear elements lock: they turn out much too stiff.
 _LOCKS: Final = 0.45
 # Springs along edges and across faces of cubes have this share of E h [N/m]; see `network_of_cells`.
 _NETWORK: Final = 0.4
+
+
+def solid_models() -> tuple[str, ...]:
+    """Names of models of a mesh of tetrahedra."""
+    return ("springs", "elastic", "spring-network", *solid_laws(), "rigid")
+
+
+def is_solid_model(name: str) -> bool:
+    """Whether a mesh of tetrahedra can have a model; one of an installed package is loaded.
+
+    Args:
+        name: of the model.
+    """
+    return name in solid_models() or is_solid_law(name)
 
 
 def of_cells(
@@ -73,7 +84,7 @@ def of_tetrahedra(
     rest: Float,
     elements: Long,
     *,
-    model: SolidModel,
+    model: str,
     young: float | Float,
     poisson: float | Float,
     stiffness: float | None,
@@ -172,10 +183,10 @@ def check_material(
     if stiffness is not None and model not in _OF_SPRINGS:
         raise BodyError(f'stiffness is {stiffness}, but model is "{model}"; give young and poisson, or model "springs"')
     one_number("poisson", poisson)
-    if model == "neo-hookean" and not 0.0 < poisson < 0.5:
-        raise BodyError(f'poisson is {poisson}; with model "neo-hookean" it must be above 0 and below 0.5')
-    if not -1.0 < poisson < 0.5:
-        raise BodyError(f"poisson is {poisson}; it must be above -1 and below 0.5")
+    least = least_poisson(model)
+    if not least < poisson < 0.5:
+        only = f'with model "{model}" ' if least > -1.0 else ""
+        raise BodyError(f"poisson is {poisson}; {only}it must be above {least:g} and below 0.5")
     for label, value in (("rayleigh_mass", rayleigh_mass), ("rayleigh_stiffness", rayleigh_stiffness)):
         if not (np.isfinite(one_number(label, value)) and value >= 0.0):
             raise BodyError(f"{label} is {value}; it must be a finite number of at least 0")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NotRequired, TypedDict, final
 import numpy as np
 
 from cotouch.arrays import Float
+from cotouch.body._material import cuttable_models
 from cotouch.body._skin import Skin
 from cotouch.body._strains import shares_of
 from cotouch.errors import BodyError
@@ -231,8 +232,8 @@ def cuttable_parts(parts: tuple[Part, ...], **limits: float) -> tuple[Part, ...]
     closes = [part.body.material is not None and part.body.material.closes for part in parts]
     if not any(closes):
         raise BodyError(
-            "cutting takes away elements, but none of the bodies is of cubes or tetrahedra; give one of them model "
-            '"cells", "corotated", "st-venant-kirchhoff" or "neo-hookean"'
+            "cutting takes away elements, but none of the bodies is of cubes or tetrahedra; give one of them one of "
+            f"the models {cuttable_models()}"
         )
     return tuple(
         replace(part, body=part.body.with_cutting(**limits)) if can else part

@@ -60,7 +60,10 @@ def simulate(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Simulate a scenario with many virtual peers and summarise the run."""
+    """Simulate a scenario and summarise the run.
+
+    All users are virtual, and so is the network between them.
+    """
     from cotouch.cli._simulate import run
 
     if not run(scenario, out=out, figures=figures, animation=animation, law=law, as_json=as_json):
@@ -77,7 +80,10 @@ def feel(
     measure: Annotated[bool, typer.Option(help="Simulate as well as predict.")] = True,
     as_json: AsJson = False,
 ) -> None:
-    """Report what a hand feels: drag, mass, stiffness, and impedance over frequency."""
+    """Report what a hand feels: drag, mass and stiffness.
+
+    Also shows the impedance over frequency, predicted and measured.
+    """
     from cotouch.cli._laboratory import feel as run
 
     run(scenario, user=user, others=others, law=law, figures=figures, measure=measure, as_json=as_json)
@@ -100,7 +106,7 @@ def sweep(
     jobs: Annotated[int, typer.Option(help="Parallel runs; -1: one per core.", min=-1)] = -1,
     as_json: AsJson = False,
 ) -> None:
-    """Run a scenario for every combination of the given option values."""
+    """Run a scenario for every combination of option values."""
     from cotouch.cli._laboratory import sweep as run
 
     run(scenario, vary=vary, out=out, dask=dask, jobs=jobs, as_json=as_json)
@@ -116,7 +122,10 @@ def compare(
     jobs: Annotated[int, typer.Option(help="Parallel cells; -1: one per core.", min=-1)] = -1,
     as_json: AsJson = False,
 ) -> None:
-    """Compare link laws over networks, tasks and numbers of users, and write a report."""
+    """Compare link laws and write a report.
+
+    All laws are tuned alike and judged on the same networks, tasks and numbers of users.
+    """
     from cotouch.cli._compare import run
 
     run(study, out=out, dask=dask, jobs=jobs, as_json=as_json)
@@ -135,7 +144,10 @@ def certify(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Compute the damping that keeps a network passive, by each method, and say what each guarantees."""
+    """Compute the damping that keeps a network passive.
+
+    There are several methods; the report says what each one guarantees.
+    """
     from cotouch.cli._certify import run
 
     run(network, period=period, damping=damping, as_json=as_json)
@@ -161,7 +173,10 @@ def body(
     ] = None,
     model: Annotated[
         str | None,
-        typer.Option(help="springs (default for surfaces) or elastic (default for tetrahedra).", show_default=False),
+        typer.Option(
+            help="springs (default for surfaces), elastic (default for tetrahedra), or a material such as neo-hookean.",
+            show_default=False,
+        ),
     ] = None,
     frame: Annotated[str | None, typer.Option(help="floating (default) or fixed.", show_default=False)] = None,
     young: Annotated[float, typer.Option(help="Young's modulus [Pa].")] = 1e4,
@@ -201,7 +216,10 @@ def body(
     figures: Annotated[Path | None, typer.Option(help="Save a figure to this folder.", show_default=False)] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Build a body from a mesh and describe it: repairs, size, mass, first modes, supports; or list a scenario's."""
+    """Build a body from a mesh and describe it.
+
+    The report covers repairs, size, mass, first modes and supports. Given a scenario, it lists the scenario's bodies.
+    """
     from cotouch.cli._body import run
 
     run(
@@ -306,7 +324,7 @@ def plan(
     figures: Annotated[Path | None, typer.Option(help="Save figures to this folder.", show_default=False)] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Find the best links for an objective, and say whether they are proved optimal."""
+    """Find the best links, and say whether they are proved to be so."""
     from cotouch.cli._plan import run
 
     run(
@@ -349,7 +367,10 @@ def reproduce(
     out: Annotated[Path, typer.Option(help="Folder for the report.")] = Path("out"),
     as_json: AsJson = False,
 ) -> None:
-    """Reproduce the paper in one HTML report: topologies, Theorem 1, the bound, the modes."""
+    """Reproduce the paper in one HTML report.
+
+    The report covers topologies, Theorem 1, the bound and what happens below it, and much more.
+    """
     from cotouch.cli._reproduce import run
 
     run(out, as_json=as_json)
@@ -364,7 +385,7 @@ def main() -> None:
     """Runs the command; what the user got wrong is one sentence and exit code 2."""
     try:
         with interrupts(), warnings_as_sentences():
-            app()
+            app(prog_name="cotouch")
     except CotouchError as error:
         sys.stderr.write(f"cotouch: {error}\n")
         sys.exit(2)

@@ -147,8 +147,9 @@ def _print(network: "Network", period: float, tables: _Tables, spare: _Spare) ->
         table.add_row("margin, exact test", *(_percent(spare[basis, method]) for method in shown))
         console.print(table)
         for covers in dict.fromkeys(certificate.covers for certificate in shown.values()):
-            methods = ", ".join(method for method, certificate in shown.items() if certificate.covers == covers)
-            console.print(f"  [dim]{methods} covers[/dim] {covers}.", highlight=False)
+            methods = [method for method, certificate in shown.items() if certificate.covers == covers]
+            said = f"{' and '.join(methods)} cover{'s' * (len(methods) == 1)}"
+            console.print(f"  [dim]{said}[/dim] {covers}.", highlight=False)
         console.print()
 
 

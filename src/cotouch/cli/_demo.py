@@ -81,7 +81,8 @@ def run(
     if record is not None:
         folder(record)
     if not quiet:
-        progress.tell(f"starting {session.slots} users, each in its own process; the first run compiles kernels")
+        who = f"{session.slots} users, each in its own process" if session.slots > 1 else "one user"
+        progress.tell(f"starting {who}; the first run compiles kernels")
 
     def each(api: "DemoSessionApi", now: float) -> None:
         if not (draws or quiet or sys.stderr.isatty() or api.acted or all_move(api)):

@@ -8,7 +8,7 @@ from cotouch.cli._options import AsJson
 
 devices = typer.Typer(
     no_args_is_help=True,
-    help="Haptic devices: list, check, calibrate and monitor them.",
+    help="List, check, calibrate and monitor haptic devices.",
 )
 DeviceName = Annotated[
     str, typer.Argument(help="name, name:variant or name:variant,option=value,...", show_default=False)
@@ -31,7 +31,10 @@ def devices_check(
     force: Annotated[bool, typer.Option(help="Switch the motors on, for 0.05 N.")] = True,
     as_json: AsJson = False,
 ) -> None:
-    """Check a device against the requirements; exit code 1 if it fails."""
+    """Check a device against the requirements.
+
+    The exit code is 1 if the device fails.
+    """
     from cotouch.cli._devices import check
 
     if not check(device, allow_motion=allow_motion, force=force, as_json=as_json):

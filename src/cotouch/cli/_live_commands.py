@@ -114,7 +114,10 @@ def measure(
     listen: OwnAddress = None,
     as_json: AsJson = False,
 ) -> None:
-    """Measure the delays between a session's members, without joining it."""
+    """Measure the delays between the members of a session.
+
+    Measuring does not take a slot.
+    """
     from cotouch.cli._measure import run
 
     run(invitation, seconds=seconds, listen=listen, out=out, as_json=as_json)
@@ -175,7 +178,10 @@ def demo(
     headless: Annotated[bool, typer.Option("--headless", help="Show no table.")] = False,
     as_json: AsJson = False,
 ) -> None:
-    """Run a session on this machine: the paper's five users, links and delays, with a process for each user."""
+    """Run a session on this machine, with a process for each user.
+
+    By default these are the paper's five users, with the paper's delays.
+    """
     from cotouch.cli._demo import run
     from cotouch.cli._page import page as paged
     from cotouch.cli._page import watched
@@ -207,7 +213,10 @@ def replay(
     stop: Annotated[float | None, typer.Option("--to", help="End time [s].", show_default=False)] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Replay one user's recording: rate, force, ledger and links; with --json, only a summary."""
+    """Replay one user's recording.
+
+    Shows rate, force, ledger and links as they were; with --json, prints only a summary.
+    """
     from cotouch.cli._replay import run
 
     run(file, speed=speed, start=start, stop=stop, as_json=as_json)
@@ -226,7 +235,10 @@ def audit(
     figures: Annotated[Path | None, typer.Option(help="Save a figure to this folder.", show_default=False)] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Recompute everyone's energy balance from a session's recordings; exit with code 1 if it does not close."""
+    """Check that the energy of a recorded session adds up.
+
+    Recomputes everyone's energy balance from the recordings. The exit code is 1 if it does not close.
+    """
     from cotouch.cli._audit import run
 
     if not run(files, figures=figures, tolerance=tolerance, as_json=as_json):
@@ -238,7 +250,10 @@ def export(
     out: Annotated[Path, typer.Option(help="The NetCDF file to write.", show_default=False)],
     as_json: AsJson = False,
 ) -> None:
-    """Write a session's recordings to one NetCDF file, with the same names as a simulated run."""
+    """Write a session's recordings to one NetCDF file.
+
+    Variables have the same names as in a simulated run.
+    """
     from cotouch.cli._export import run
 
     run(files, out=out, as_json=as_json)

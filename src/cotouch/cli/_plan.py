@@ -193,7 +193,8 @@ def _counts(text: str, size: int, possible: int) -> list[int]:
             f'--links is "{said}"; connecting {size} users with {possible} possible links takes {size - 1} to '
             f"{possible}"
         )
-    raise ScenarioError(f'--links is "{said}"; it must be a number such as 6, a range such as 4-8, or "at most 8"')
+    given = f'is "{said}"' if said else "is missing"
+    raise ScenarioError(f'--links {given}; it must be a number such as 6, a range such as 4-8, or "at most 8"')
 
 
 def _tell(

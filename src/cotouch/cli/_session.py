@@ -16,6 +16,8 @@ from cotouch.errors import SessionError
 from cotouch.files import prepare
 
 if TYPE_CHECKING:
+    from sys import UnraisableHookArgs
+
     from cotouch.control import Invitation
     from cotouch.members import Part, PartOutcome, SessionWatch
     from cotouch.session import MemberSessionApi
@@ -207,16 +209,17 @@ def sentence(taken: "PartOutcome") -> str:
 def stop_signals() -> Generator[Callable[[], bool]]:
     """Lets Ctrl-C, SIGTERM and a terminal that goes away end a loop in order.
 
-    A second one, or one before the loop looks, interrupts at once.
+    A second one, or one before the loop looks, interrupts at once. Python drops what is raised while it tidies up
+    behind a compiler, say; so a signal is kept in mind even then, and the loop ends as soon as it looks.
     """
     asked: list[int] = []
     looking: list[bool] = []
 
     def ask(number: int, frame: object) -> None:
         del frame
-        if asked or not looking:
-            raise KeyboardInterrupt
         asked.append(number)
+        if len(asked) > 1 or not looking:
+            raise KeyboardInterrupt
 
     def stopped() -> bool:
         if not looking:
@@ -227,11 +230,22 @@ def stop_signals() -> Generator[Callable[[], bool]]:
     if sys.platform != "win32" and signal.getsignal(signal.SIGHUP) != signal.SIG_IGN:  # nohup wants it ignored
         numbers.append(signal.SIGHUP)
     before = {number: signal.signal(number, ask) for number in numbers}
+    told, sys.unraisablehook = sys.unraisablehook, _but_interrupts(sys.unraisablehook)
     try:
         yield stopped
     finally:
+        sys.unraisablehook = told
         for number, handler in before.items():
             signal.signal(number, handler)
+
+
+def _but_interrupts(tell: Callable[["UnraisableHookArgs"], object]) -> Callable[["UnraisableHookArgs"], None]:
+    """Tells what Python dropped, unless it is a signal, which is kept in mind.
+
+    Args:
+        tell: of all that Python drops.
+    """
+    return lambda dropped: None if issubclass(dropped.exc_type, KeyboardInterrupt) else (tell(dropped), None)[1]
 
 
 @contextmanager

@@ -3,6 +3,7 @@
 """One restrained style for all figures: colours, sheets, and legends of users."""
 
 import io
+import warnings
 from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Final, TypeAlias, cast
@@ -112,7 +113,8 @@ def drawn(figure: "Figure", *, dpi: float, format: str = "png") -> bytes:  # noq
         ValueError: there is no such format.
     """
     stream = io.BytesIO()
-    with style():
+    with style(), warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "Glyph .* missing from font")  # of a name; a box stands for it
         figure.savefig(stream, format=format, dpi=dpi)
     return stream.getvalue()
 

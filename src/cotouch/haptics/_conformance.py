@@ -7,8 +7,10 @@ import itertools
 import math
 import threading
 import time
+import traceback
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 from typing import cast, final
 
 import numpy as np
@@ -24,6 +26,7 @@ _GENTLE = 0.05
 # Fastest that a device may say it moves while nobody does anything violent with it [m/s].
 _FASTEST = 20.0
 _ZERO = np.zeros(3)
+_MEMBERS = ("spec", "open", "calibrate", "enable_force", "exchange", "stop", "close")
 # And torque: what that is at the end of a grip.
 _LIGHT = ARM * _GENTLE
 
@@ -67,6 +70,9 @@ def conform(
         What was found, in order; what came after an error is missing.
     """
     device = make()
+    missing = [name for name in _MEMBERS if not hasattr(device, name)]
+    if missing:
+        return [CheckResult("it has every member", False, f"{', '.join(missing)} missing")]
     found: list[CheckResult] = []
 
     def note(check: str, passed: bool, detail: str) -> None:
@@ -93,9 +99,13 @@ def conform(
         note("exchange after close is refused", _refuses(lambda: device.exchange(_ZERO)), "a DeviceError")
     except DeviceError as error:
         note("it works", False, str(error))
+    except Exception as error:  # noqa: BLE001 - what somebody wrote may be wrong in any way
+        place = traceback.extract_tb(error.__traceback__)[-1]
+        where = f"{Path(place.filename).name}, line {place.lineno}"
+        note("it works", False, f"{type(error).__name__}: {' '.join(str(error).split())} ({where})")
     finally:
-        device.stop()
-        device.close()
+        if not (_silent(device.stop) and _silent(device.close)):
+            note("stop and close at the end", False, "they must not raise")
     return found
 
 

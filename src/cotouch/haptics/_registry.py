@@ -11,12 +11,12 @@ Loading one must be quick and need no vendor's library; `Device.open` is where t
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib import import_module
-from importlib.metadata import EntryPoint, entry_points
 from typing import final
 
 from cotouch.device import DeviceSpec
 from cotouch.errors import DeviceError
 from cotouch.haptics._device import Device
+from cotouch.installed import installed, installed_names
 
 GROUP = "cotouch.devices"
 Option = str | int | float | bool
@@ -107,7 +107,7 @@ def _value(text: str) -> Option:
 
 def device_names() -> list[str]:
     """Names of all drivers that are installed, sorted."""
-    return sorted({entry.name for entry in entry_points(group=GROUP)})
+    return installed_names(GROUP)
 
 
 def driver(name: str) -> Driver:
@@ -119,16 +119,14 @@ def driver(name: str) -> Driver:
     Raises:
         DeviceError: there is none of this name, it cannot be loaded, or it is no driver.
     """
-    if "/" in name:
-        module, _, attribute = name.partition("/")
-        load: Callable[[], object] = lambda: getattr(import_module(module), attribute)  # noqa: E731
-    else:
-        known: dict[str, EntryPoint] = {entry.name: entry for entry in entry_points(group=GROUP)}
-        if name not in known:
-            raise DeviceError(f'device is "{name}"; it must be one of {", ".join(sorted(known)) or "none: reinstall"}')
-        load = known[name].load
+    if "/" not in name:
+        found = installed(GROUP, name, Driver, what="driver", error=DeviceError)
+        if found is None:
+            raise DeviceError(f'device is "{name}"; it must be one of {", ".join(device_names()) or "none: reinstall"}')
+        return found
+    module, _, attribute = name.partition("/")
     try:
-        loaded = load()
+        loaded: object = getattr(import_module(module), attribute)
     except Exception as error:  # a driver of others may fail in any way
         raise DeviceError(f'the driver "{name}" cannot be loaded: {error}') from error
     if not isinstance(loaded, Driver):

@@ -7,9 +7,13 @@ from math import inf, isfinite, nan
 from typing import TypeAlias, final
 
 from cotouch.errors import NetworkError
+from cotouch.installed import installed, installed_names
 from cotouch.laws._end import End, Part
-from cotouch.laws._reason import reason
+from cotouch.laws._trial import ends
+from cotouch.mechanics import beyond, reason, written_here
 
+# Entry points of laws that other packages bring.
+GROUP = "cotouch.laws"
 # Parameter of laws that can go live: most that a neighbour may push with [N].
 FORCE = "force"
 
@@ -209,10 +213,12 @@ class Law:
         """Its two functions as machine code, made on first use.
 
         Raises:
-            NetworkError: one cannot be compiled.
+            NetworkError: one cannot be compiled, or leaves an array that it works on.
         """
         if not self._parts:
-            self._parts.extend([self._part(half) for half in (self.before, self.after)])
+            parts = [self._part(half) for half in (self.before, self.after)]
+            self._keep_within()
+            self._parts.extend(parts)
         return self._parts[0], self._parts[1]
 
     @property
@@ -241,6 +247,17 @@ class Law:
             return Part(half)
         except Exception as error:  # what somebody wrote may be wrong in any way
             raise NetworkError(f'law "{self.name}" cannot be compiled: {reason(error, half)}') from error
+
+    def _keep_within(self) -> None:
+        """Runs what others wrote once as Python does, because machine code checks no index."""
+        halves = self.before, self.after
+        if all(map(written_here, halves)):
+            return
+        fields, numbers = (self.sends, self.keeps, self.fractions), (self.sends_scalars, self.keeps_scalars)
+        usual = self.values(Facts(spring=50.0, age=0.05, age_back=0.05), {})
+        said = beyond(halves, ends(usual, *map(len, fields), *map(len, (*numbers, self.shares_scalars))))
+        if said is not None:
+            raise NetworkError(f'law "{self.name}" leaves an array: {said}')
 
     def check(self, given: Mapping[str, object]) -> None:
         """Whether parameters are its own, and in range.
@@ -336,11 +353,17 @@ def laws() -> dict[str, Law]:
 
 
 def law_named(name: str) -> Law:
-    """The law of a name.
+    """The law of a name: one that is registered here, else one of an installed package.
 
     Raises:
-        NetworkError: there is none.
+        NetworkError: there is none of this name, it cannot be loaded, or it is no law.
     """
-    if name not in _KNOWN:
-        raise NetworkError(f'law is "{name}"; it must be one of {", ".join(_KNOWN)}')
-    return _KNOWN[name]
+    if name in _KNOWN:
+        return _KNOWN[name]
+    loaded = installed(GROUP, name, Law, what="law", error=NetworkError)
+    if loaded is None:
+        names = dict.fromkeys([*_KNOWN, *installed_names(GROUP)])
+        raise NetworkError(f'law is "{name}"; it must be one of {", ".join(names)}')
+    if loaded.name != name:
+        raise NetworkError(f'the law "{name}" calls itself "{loaded.name}"; its entry point must have this name')
+    return register(loaded)

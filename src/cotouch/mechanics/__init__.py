@@ -1,8 +1,11 @@
 """How a body moves, passively: the compiled step and what it needs."""
 
+from cotouch.mechanics import _matrix3 as matrix3
 from cotouch.mechanics._apart import are_apart, move_apart
 from cotouch.mechanics._balance_groups import closing_of
+from cotouch.mechanics._bounds import beyond, written_here
 from cotouch.mechanics._closed import CLOSURE_ALARM, closed_settle, closed_step, slowed
+from cotouch.mechanics._contact_conform import conform_contact_law, contact_law_named
 from cotouch.mechanics._contact_foundation import Foundation
 from cotouch.mechanics._contact_law import CONTACT_LAWS, press
 from cotouch.mechanics._contact_parts import contact_parts
@@ -57,9 +60,11 @@ from cotouch.mechanics._meeting_force import deepest_between
 from cotouch.mechanics._model import Basis, Model, model
 from cotouch.mechanics._operator import WEIGHTS, Operator, mixed, multiply, rescaled
 from cotouch.mechanics._path import path_place
+from cotouch.mechanics._reason import reason
 from cotouch.mechanics._rest import REST_DRIFT, REST_FIELDS, place_at_rest, rest_fraction
 from cotouch.mechanics._shape import SHAPES, Box, Plane, Plate, Shape, shape_of, shape_table
 from cotouch.mechanics._shape_solid import Solid
+from cotouch.mechanics._solid import register_solid
 from cotouch.mechanics._state import (
     BETA,
     BODY_LOSS,
@@ -184,6 +189,7 @@ __all__ = [
     "available_energy",
     "begin_cut",
     "begin_world",
+    "beyond",
     "block",
     "book_end",
     "checked_toll",
@@ -191,7 +197,9 @@ __all__ = [
     "closed_settle",
     "closed_step",
     "closing_of",
+    "conform_contact_law",
     "contact_by",
+    "contact_law_named",
     "contact_parts",
     "contact_step",
     "coupling_at",
@@ -219,6 +227,7 @@ __all__ = [
     "lean",
     "load",
     "mark_cuts",
+    "matrix3",
     "message_of",
     "mixed",
     "mixed_stretch",
@@ -239,7 +248,9 @@ __all__ = [
     "press_skin",
     "push_of",
     "put",
+    "reason",
     "register_coupling",
+    "register_solid",
     "relief_on",
     "rescaled",
     "resist",
@@ -269,4 +280,5 @@ __all__ = [
     "virtual_coupling_limit",
     "where",
     "workspace",
+    "written_here",
 ]

@@ -13,7 +13,8 @@ the other end said, and hold no more in the spring than `available_energy`. Work
 forget it.
 """
 
-from collections.abc import Callable
+import itertools
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple, final
@@ -26,7 +27,9 @@ from numba.core.types.function_type import CompileResultWAP
 from cotouch.arrays import Float
 from cotouch.compiled import intrinsic, stamped
 from cotouch.errors import DeviceError
-from cotouch.mechanics._coupling_end import END
+from cotouch.mechanics._bounds import beyond, written_here
+from cotouch.mechanics._coupling_end import END, end_row
+from cotouch.mechanics._reason import reason
 
 # The row of an end as machine code gets it.
 _SIGNATURE: Any = types.void(types.CPointer(types.float64))
@@ -96,10 +99,26 @@ class DeviceCoupling:
 
         Args:
             proxy: which.
+
+        Raises:
+            DeviceError: it cannot be compiled, or leaves the row of its end.
         """
         if proxy not in self._made:
-            self._made[proxy] = _compiled(self.proxy if proxy else self.device)
+            half = self.proxy if proxy else self.device
+            made = self._compiled(half)
+            said = None if written_here(half) else beyond([half], _rows())
+            if said is not None:
+                raise DeviceError(f'coupling "{self.name}" leaves its row: {said}')
+            self._made[proxy] = made
         return self._made[proxy]
+
+    def _compiled(self, half: Callable[[Float], None]) -> Any:
+        try:
+            made = _compiled(half)
+            made.compile((types.Array(types.float64, 1, "C"),))
+        except Exception as error:  # what somebody wrote may be wrong in any way
+            raise DeviceError(f'coupling "{self.name}" cannot be compiled: {reason(error, half)}') from error
+        return made
 
     def address(self, *, proxy: bool) -> int:
         """Where `run_end` finds one of both functions, in this process.
@@ -119,6 +138,15 @@ def _compiled(function: Callable[[Float], None]) -> Any:
     made = njit(nogil=True, fastmath={"contract"}, error_model="numpy", _nrt=False)(function)
     # Without a file there is nothing beside which the machine code could be kept.
     return stamped(made) if Path(function.__code__.co_filename).is_file() else made
+
+
+def _rows() -> Iterator[tuple[Float]]:
+    """Ends on which a law of others is tried: without a place, near and far, rich and poor."""
+    for known, gap, energy in itertools.product((0.0, 1.0), (0.0, 1e-4, 0.1), (-1.0, 0.0, 1e-3, 1.0)):
+        row = end_row(stiffness=500.0, damping=2.0, cap=0.1, reserve=1e-3, initial=1e-3, most=3.0)
+        row[END.T], row[END.known], row[END.energy] = 1e-3, known, energy
+        row[END.gap : END.acting] = gap
+        yield (row,)
 
 
 @intrinsic

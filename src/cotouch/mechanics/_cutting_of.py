@@ -96,7 +96,12 @@ def _elements(body: Body, material: Material | None, first: int) -> dict[str, An
     length = np.linalg.norm(ends[:, :, 1] - ends[:, :, 0], axis=2)
     solid = SOLIDS.index(material.model) if material.model in SOLIDS else -1
     limit = np.full(length.shape, float(material.tear))
-    if solid < 0:  # k over the length of an edge is the modulus along it
+    if material.solid and solid < 0 and material.strength < math.inf:
+        raise UnsupportedError(
+            f"strength is {material.strength:g} Pa, but cotouch does not know the principal stress of model "
+            f'"{material.model}"; give tear instead'
+        )
+    if not material.solid:  # k over the length of an edge is the modulus along it
         with np.errstate(divide="ignore"):
             limit = np.minimum(limit, material.strength * length / material.stiffness[:, None])
     most = np.full((count, max(len(pairs) for pairs in EDGES.values())), math.inf)

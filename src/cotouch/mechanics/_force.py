@@ -71,7 +71,7 @@ LAWS: dict[type, tuple[Callable[..., Any], Callable[..., Any]]] = {
     cells.CorotatedCells: (cells.resist, cells.evaluate),
     frame.Frame: (frame.resist, frame.evaluate),
     rigid.Rigid: (rigid.resist, rigid.evaluate),
-    **dict.fromkeys(tetrahedra.TETRAHEDRA, (tetrahedra.resist, tetrahedra.evaluate)),
+    **{solid.kind: (tetrahedra.resist, tetrahedra.evaluate) for solid in tetrahedra.SOLIDS.values()},
 }
 LEANS: dict[type, Callable[..., Any]] = {rigid.Rigid: rigid.lean}
 

@@ -7,9 +7,10 @@ density of energy at the second; the nodes' forces, the dampers `2 η μ sym(F�
 and the sums are here. Four tetrahedra are worked out at a time, each in one lane.
 """
 # Every law takes the interface's arguments, and not each needs all of them.
-# ruff: noqa: ARG001, ARG005
+# ruff: noqa: ARG001, PLW0108
 # pyright: reportMissingParameterType=false, reportUnusedFunction=false
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from numba.extending import overload
@@ -115,9 +116,6 @@ class NeoHookean(NamedTuple):
     tie_cut: int = -1
 
 
-TETRAHEDRA = (CorotatedTetrahedra, StVenantKirchhoff, NeoHookean)
-
-
 @inner
 def _strain(h: Matrix) -> Matrix:
     """Green's, `½ (H + Hᵀ + HᵀH)`."""
@@ -196,6 +194,61 @@ def _neo_hookean_energy(lam: float, mu: float, h1: Matrix) -> float:
     return mu * rest + 0.5 * (lam + mu) * d * d
 
 
+@inner
+def _stress_of_corotated(law: Any, lam: float, mu: float, h: Matrix, h1: Matrix, memory: Float, e: Quad) -> Matrix:
+    return _corotated_stress(lam, mu, h, h1, memory, e)
+
+
+@inner
+def _energy_of_corotated(law: Any, lam: float, mu: float, h1: Matrix, memory: Float, e: Quad, sweeps: int) -> float:
+    return _corotated_energy(law.volume.shape[0], lam, mu, h1, memory, e, sweeps)
+
+
+@inner
+def _stress_of_kirchhoff(law: Any, lam: float, mu: float, h: Matrix, h1: Matrix, memory: Float, e: Quad) -> Matrix:
+    return _kirchhoff_stress(lam, mu, h, h1)
+
+
+@inner
+def _energy_of_kirchhoff(law: Any, lam: float, mu: float, h1: Matrix, memory: Float, e: Quad, sweeps: int) -> float:
+    return _kirchhoff_energy(lam, mu, h1)
+
+
+@inner
+def _stress_of_neo_hookean(law: Any, lam: float, mu: float, h: Matrix, h1: Matrix, memory: Float, e: Quad) -> Matrix:
+    return _neo_hookean_stress(lam, mu, h, h1)
+
+
+@inner
+def _energy_of_neo_hookean(law: Any, lam: float, mu: float, h1: Matrix, memory: Float, e: Quad, sweeps: int) -> float:
+    return _neo_hookean_energy(lam, mu, h1)
+
+
+class Solid(NamedTuple):
+    """A law of tetrahedra.
+
+    Attributes:
+        kind: class of its tables, with the fields of `CorotatedTetrahedra`.
+        stress: `stress(law, lam, mu, h, h1, memory, e)`, the mean first Piola stress between two gradients of
+            displacement, times the volume [J].
+        energy: `energy(law, lam, mu, h1, memory, e, sweeps)` at the second [J].
+        turns: whether it keeps a rotation of each element.
+    """
+
+    kind: type
+    stress: Callable[..., Matrix]
+    energy: Callable[..., float]
+    turns: bool = False
+
+
+# The registry, by the names of `cotouch.body.Material`; λ and μ come times the volume.
+SOLIDS = {
+    "corotated": Solid(CorotatedTetrahedra, _stress_of_corotated, _energy_of_corotated, turns=True),
+    "st-venant-kirchhoff": Solid(StVenantKirchhoff, _stress_of_kirchhoff, _energy_of_kirchhoff),
+    "neo-hookean": Solid(NeoHookean, _stress_of_neo_hookean, _energy_of_neo_hookean),
+}
+
+
 def stress_of(law: Any, lam: float, mu: float, h: Matrix, h1: Matrix, memory: Float, e: Quad) -> Matrix:
     """Mean first Piola stress between two gradients of displacement, times the volume [J]."""
     raise NotImplementedError
@@ -206,30 +259,27 @@ def energy_of(law: Any, lam: float, mu: float, h1: Matrix, memory: Float, e: Qua
     raise NotImplementedError
 
 
+def _solid(law: Any) -> Any:
+    kind = getattr(law, "instance_class", None)
+    return next((solid for solid in SOLIDS.values() if solid.kind is kind), None)
+
+
 @overload(stress_of)
 def _stress_of(law, lam, mu, h, h1, memory, e):  # numba compares the names with the stub's
-    kind = getattr(law, "instance_class", None)
-    if kind is CorotatedTetrahedra:
-        return lambda law, lam, mu, h, h1, memory, e: _corotated_stress(lam, mu, h, h1, memory, e)
-    if kind is StVenantKirchhoff:
-        return lambda law, lam, mu, h, h1, memory, e: _kirchhoff_stress(lam, mu, h, h1)
-    if kind is NeoHookean:
-        return lambda law, lam, mu, h, h1, memory, e: _neo_hookean_stress(lam, mu, h, h1)
-    return None
+    solid = _solid(law)
+    if solid is None:
+        return None
+    found = solid.stress
+    return lambda law, lam, mu, h, h1, memory, e: found(law, lam, mu, h, h1, memory, e)
 
 
 @overload(energy_of)
 def _energy_of(law, lam, mu, h1, memory, e, sweeps):
-    kind = getattr(law, "instance_class", None)
-    if kind is CorotatedTetrahedra:
-        return lambda law, lam, mu, h1, memory, e, sweeps: _corotated_energy(
-            law.volume.shape[0], lam, mu, h1, memory, e, sweeps
-        )
-    if kind is StVenantKirchhoff:
-        return lambda law, lam, mu, h1, memory, e, sweeps: _kirchhoff_energy(lam, mu, h1)
-    if kind is NeoHookean:
-        return lambda law, lam, mu, h1, memory, e, sweeps: _neo_hookean_energy(lam, mu, h1)
-    return None
+    solid = _solid(law)
+    if solid is None:
+        return None
+    found = solid.energy
+    return lambda law, lam, mu, h1, memory, e, sweeps: found(law, lam, mu, h1, memory, e, sweeps)
 
 
 @inner

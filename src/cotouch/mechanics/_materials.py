@@ -15,15 +15,13 @@ from cotouch.mechanics._force_frame import Frame
 from cotouch.mechanics._force_memory import memory_size
 from cotouch.mechanics._force_rigid import Rigid
 from cotouch.mechanics._force_springs import SpringNetwork
-from cotouch.mechanics._force_tetrahedra import CorotatedTetrahedra, NeoHookean, StVenantKirchhoff
+from cotouch.mechanics._force_tetrahedra import SOLIDS
 from cotouch.mechanics._force_together import Together, together_of
 from cotouch.mechanics._fours import blocks
 from cotouch.mechanics._meeting import Parts
 from cotouch.mechanics._meeting_skin import parts_of
 from cotouch.mechanics._state import numbered
 from cotouch.mechanics._tool_bodies import rigid_rows
-
-_SOLIDS = {"corotated": CorotatedTetrahedra, "st-venant-kirchhoff": StVenantKirchhoff, "neo-hookean": NeoHookean}
 
 
 def outline_of(body: Body, material: Material, *, tangent: bool = True) -> Body:
@@ -92,11 +90,9 @@ DIRECTIONS = {
     "floating": 2,
     "cells": 2,
     "spring-network": 3,
-    "corotated": 3,
-    "st-venant-kirchhoff": 3,
-    "neo-hookean": 3,
     "rigid": 2,
 }
+_OF_SOLIDS = 3
 _FAR = 10.0
 _OUTER = ("mass", "stiffness_ext", "damping_ext")
 
@@ -188,7 +184,9 @@ def _together(body: Body, row: Int, rigid: Int) -> tuple[Together, int, int]:
 
 
 def _directions(body: Body, material: Material) -> int:
-    return DIRECTIONS["corotated" if material.model == "floating" and body.form == "full" else material.model]
+    if material.model == "floating" and body.form == "full":
+        return _OF_SOLIDS
+    return DIRECTIONS.get(material.model, _OF_SOLIDS)
 
 
 def _law(body: Body, material: Material, row: Int, rest: Float) -> tuple[Any, int]:
@@ -235,14 +233,15 @@ def _law(body: Body, material: Material, row: Int, rest: Float) -> tuple[Any, in
     lame = lame_of(material)
     lame[:, :2] *= volume[:, None]
     rows = np.concatenate([slopes, lame], axis=1)
-    law = _SOLIDS[material.model](
+    solid = SOLIDS[material.model]
+    law = solid.kind(
         viscosity=float(np.max(material.viscosity)),
         corner=elements,
         volume=volume,
         block=blocks(rows, [9, 10]),
         **_ties(material, row),
     )
-    return law, elements.shape[0] if material.model == "corotated" else 0
+    return law, elements.shape[0] if solid.turns else 0
 
 
 def _ties(material: Material, row: Int) -> dict[str, Any]:

@@ -80,7 +80,7 @@ def check_delay(users: tuple[str, ...], delay: npt.ArrayLike) -> Float:
     matrix = numbers("delay", delay)
     size = len(users)
     if matrix.shape != (size, size):
-        raise NetworkError(f"delay is {_shape(matrix)}; for {size} users it must be {size} x {size}")
+        raise NetworkError(f"delay is {_shape(matrix)}; for {size} user{'s' * (size != 1)} it must be {size} x {size}")
     for i, j in np.argwhere(~(np.isfinite(matrix) & (matrix >= 0))):
         raise NetworkError(
             f"delay from {one_user(users, j)} to {one_user(users, i)} is {matrix[i, j]:g} s; "
@@ -121,8 +121,8 @@ def check_springs(users: tuple[str, ...], spring: npt.ArrayLike, weight: npt.Arr
             raise NetworkError("weight is given together with a matrix for every spring; give only one of them")
         return _matrix_springs(users, matrix)
     raise NetworkError(
-        f"spring is {_shape(matrix)}; for {size} users it must be {size} x {size}, or {size} x {size} x r x r with one "
-        "r x r matrix for every pair"
+        f"spring is {_shape(matrix)}; for {size} user{'s' * (size != 1)} it must be {size} x {size}, or "
+        f"{size} x {size} x r x r with one r x r matrix for every pair"
     )
 
 

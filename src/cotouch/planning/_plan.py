@@ -195,7 +195,7 @@ def plan(
     if jobs != -1 and jobs < 1:
         raise NetworkError(f"jobs is {jobs}; it must be at least 1, or -1 for one per core")
     if seconds is not None and not seconds > 0:
-        raise NetworkError(f"seconds is {seconds:g}; it must be above 0")
+        raise NetworkError(f"the time limit (seconds) is {seconds:g}; it must be above 0")
     if seconds is not None and compiles(chosen_method, objective):
         before = clock()
         warm(objective, chosen_method, plan)

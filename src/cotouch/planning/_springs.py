@@ -112,7 +112,7 @@ def tune_springs(
     if rounds < 0:
         raise NetworkError(f"rounds is {rounds}; it must be a whole number, at least 0")
     if seconds is not None and not seconds > 0:
-        raise NetworkError(f"seconds is {seconds:g}; it must be above 0")
+        raise NetworkError(f"the time limit (seconds) is {seconds:g}; it must be above 0")
     limit = _limits(network, damping_limit)
     modes = modes_table(mass, damping, stiffness)
     first = modes[0]

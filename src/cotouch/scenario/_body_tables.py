@@ -27,17 +27,18 @@ from cotouch.body import (
     Held,
     NodeSet,
     Plane,
-    SolidModel,
     SurfaceModel,
     body_from_surface,
     body_from_tetrahedra,
     chain,
+    is_solid_model,
     is_surface,
     lattice,
     point,
     rigid_box,
     rigid_cylinder,
     rigid_sphere,
+    solid_models,
 )
 from cotouch.errors import ScenarioError
 from cotouch.scenario._tables import NonNegative, Number, Place, Positive, Table
@@ -232,10 +233,6 @@ _LINEAR = (None, "springs", "elastic")
 _OF_SOFT = ("young", "poisson", "stiffness", "rayleigh_mass", "rayleigh_stiffness", "frame", "ground", "modes")
 
 
-def _listed(names: object) -> str:
-    return ", ".join(f'"{name}"' for name in get_args(names))
-
-
 @final
 class FileTable(Table):
     """A body from a mesh; see `cotouch.body_from_surface` and `cotouch.body_from_tetrahedra`.
@@ -271,7 +268,7 @@ class FileTable(Table):
     file: str
     unit: Literal["m", "mm", "cm", "in"] | None = None
     resolution: Annotated[int, Field(ge=1)] = 12
-    model: SurfaceModel | SolidModel | None = None
+    model: str | None = None
     frame: Frame | None = None
     young: Positive = 1e4
     poisson: Annotated[float, Field(gt=-1.0, lt=0.5)] = 0.3
@@ -299,9 +296,8 @@ class FileTable(Table):
                 "(tetrahedra)"
             )
         others, what = (_OF_VOLUMES, "tetrahedra") if is_surface(Path(self.file)) else (_OF_SURFACES, "surfaces")
-        known, models = ("surfaces", SurfaceModel) if is_surface(Path(self.file)) else ("tetrahedra", SolidModel)
-        if self.model is not None and self.model not in get_args(models):
-            raise ValueError(f'model is "{self.model}", but file is "{self.file}"; {known} take {_listed(models)}')
+        if self.model is not None:
+            self._known_model(self.model)
         if self.modes is not None and self.frame == "floating":
             raise ValueError(f'modes is {self.modes}, but frame is "floating", which has none; leave one of them out')
         if self.model == "rigid":
@@ -312,6 +308,13 @@ class FileTable(Table):
             if name in self.model_fields_set:
                 raise ValueError(f'{name} is for {what}, but file is "{self.file}"; leave it out')
         return self
+
+    def _known_model(self, model: str) -> None:
+        surface = is_surface(Path(self.file))
+        if not (model in get_args(SurfaceModel) if surface else is_solid_model(model)):
+            names = ", ".join(f'"{name}"' for name in (get_args(SurfaceModel) if surface else solid_models()))
+            what = "surfaces" if surface else "tetrahedra"
+            raise ValueError(f'model is "{model}", but file is "{self.file}"; {what} take {names}')
 
     @classmethod
     def make(cls, *, source: str, **options: object) -> "FileTable":
@@ -346,7 +349,7 @@ class FileTable(Table):
             )
         return body_from_tetrahedra(
             self.file,
-            model=cast("SolidModel", self.model or "elastic"),
+            model=self.model or "elastic",
             most_elements=self.most_elements,
             parts=self.parts,
             **options,

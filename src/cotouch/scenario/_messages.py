@@ -55,7 +55,8 @@ def sentence(error: ValidationError, source: str) -> str:
             joint = "." if message.split(maxsplit=1)[0].split(".")[0] in _OPTIONS else ": "
             text = f"{place}{joint}{message}" if place else message
         case _ if message.startswith(_SHOULD):
-            text = f"{place} is {value}; it must be {message.removeprefix(_SHOULD).replace('a valid ', 'a ')}"
+            wanted = message.removeprefix(_SHOULD).replace("a valid i", "an i").replace("a valid ", "a ")
+            text = f"{place} is {value}; it must be {wanted}"
         case _:
             text = f"{place} is {value}: {message[:1].lower()}{message[1:]}"
     more = len({_place(problem["loc"]) for problem in problems}) - 1

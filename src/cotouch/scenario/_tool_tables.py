@@ -8,7 +8,7 @@ from pydantic import Discriminator, Field, FiniteFloat, Tag, model_validator
 
 from cotouch.device import PRESETS, installed_coupling
 from cotouch.errors import DeviceError, ScenarioError
-from cotouch.mechanics import CONTACT_LAWS
+from cotouch.mechanics import contact_law_named
 from cotouch.scenario._surface_tables import SnapTable, TextureTable
 from cotouch.scenario._tables import Coordinate, Firm, NonNegative, Number, Place, Positive, Table
 
@@ -181,17 +181,15 @@ class ContactTable(Table):
         """The law for the kernels.
 
         Raises:
-            ScenarioError: there is no such law, or it has no such parameter.
+            ScenarioError: there is no such law, it breaks the interface, or it has no such parameter.
         """
-        kinds = {kind.__name__.lower(): kind for kind in CONTACT_LAWS}
-        if self.law not in kinds:
-            raise ScenarioError(f'contact.law is "{self.law}"; it must be one of {", ".join(sorted(kinds))}')
-        known = cast("tuple[str, ...]", getattr(kinds[self.law], "_fields", ()))
+        kind = contact_law_named(self.law)
+        known = cast("tuple[str, ...]", getattr(kind, "_fields", ()))
         for name, value in self.parameters.items():
             if name not in known or not value > 0.0:
                 has = f"has {', '.join(known)}, each above 0"
                 raise ScenarioError(f'contact.parameters.{name} is {value:g}; law "{self.law}" {has}')
-        return kinds[self.law](**self.parameters)
+        return kind(**self.parameters)
 
     def refuse(self, tools: Sequence[Table]) -> None:
         """Refuses tools that its snap or texture does not suit.

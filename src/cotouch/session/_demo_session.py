@@ -169,7 +169,7 @@ def _embody(tables: _Tables, body: str) -> None:
         _cushion(tables)
         return
     else:
-        raise SessionError(f'--body is "{body}"; it must be {" or ".join(_BODIES)}')
+        raise SessionError(f'--body is "{body}"; it must be one of {", ".join(_BODIES)}')
     ways = ((0.0, 0.3, 0.0), (0.0, -0.3, 0.1), (0.2, 0.0, 0.3), (0.0, 0.2, -0.3), (-0.2, 0.0, 0.2))
     for n, (hand, place) in enumerate(zip(tables["hands"], places, strict=True)):
         reach = [0.06 * fraction for fraction in ways[n % 5]]  # so far that a hand feels the others
@@ -210,7 +210,7 @@ def _impair(tables: _Tables, impair: Sequence[str]) -> None:
             value = -1.0
         if name not in _IMPAIRMENTS or not 0.0 <= value <= 1.0:
             raise SessionError(
-                f'--impair is "{one}"; it must be {", ".join(_IMPAIRMENTS)}, "=", and a number from 0 to 1 (jitter: s)'
+                f'--impair is "{one}"; it must be NAME=NUMBER: {", ".join(_IMPAIRMENTS)} from 0 to 1 (jitter in s)'
             )
         channel[name] = {"scale": value} if name == "jitter" else value
         if name == "reordering":
