@@ -136,21 +136,21 @@ class Loss(TypedDict):
 
 
 def losing(data: "xr.Dataset", study: Study) -> list[Loss]:
-    """Where another law costs less than ours, for certain at 95 %, worst first.
+    """Where another law costs less than ours, for certain at 95 %, worst first; not one that broke its promise.
 
     Args:
         data: of `compare`.
         study: that it came from.
     """
-    own, tuning = ours(data, study), chosen(data)
+    own, tuning, liars = ours(data, study), chosen(data), broken(data)
     cost = data["cost"].sel(tuning=tuning)
-    laws = data["law"].values.tolist()
+    laws = [law for law in data["law"].values.tolist() if law == own or law not in liars]
     found: list[Loss] = []
     for n, network in enumerate(data["network"].values.tolist()):
         for u, users in enumerate(data["users"].values.tolist()):
             for h, hand in enumerate(data["hand"].values.tolist()):
                 for t, task in enumerate(data["task"].values.tolist()):
-                    draws = {law: cost.values[l, n, u, h, t] for l, law in enumerate(laws)}
+                    draws = {law: cost.sel(law=law).values[n, u, h, t] for law in laws}
                     known = {law: row[~np.isnan(row)] for law, row in draws.items()}
                     mine = known[own]
                     rivals = {
