@@ -75,7 +75,7 @@ def cutting_of(model: Model, *, tools: int = 0, decides: Sequence[bool] = ()) ->
         beyond=nothing if faces is None else faces.beyond.astype(np.int32),
         across=across,
         wanted=np.zeros(found["area"].size, dtype=np.int32),
-        bonds=bonds_of(model.operator, tied),
+        bonds=bonds_of(model.operator, tied, corner),
         before=np.zeros((model.operator_rows, model.width)),
         blade=np.zeros((tools, 4)),
         spot=np.zeros((max(KINDS) + 4, 4)),
