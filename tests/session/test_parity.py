@@ -160,13 +160,16 @@ def test_hands_feel_the_same_force_at_every_moment(lived: Lived, expected: xr.Da
 
 
 def test_what_differs_is_the_slack_of_the_budgets(lived: Lived, expected: xr.Dataset) -> None:
-    """Live users agree on budgets with two periods of slack at each end, and their steps are not on one grid."""
+    """Live users agree on budgets with two periods of slack at each end, and their steps are not on one grid.
+
+    In the simulator they are: each sample is there at the instant of a step, where a live one waits for up to a period.
+    """
     by_rule = expected["local_damping"].values[:, 0]
     joined = np.array([60.0, 105.0, 45.0])  # springs of each user's links [N/m]
     more = 2.0 * (lived.damping - by_rule) / joined  # in both ages of a link [s]
     slack = 2 * 2 * PERIOD
     assert (more >= slack).all()
-    assert (more < slack + 2 * PERIOD).all()
+    assert (more < slack + 4 * PERIOD).all()
     same = simulated(damping=lived.damping.tolist())
     assert abs(settled(lived.run, "position") / settled(same, "position") - 1.0) < 0.015
     for user in range(3):
