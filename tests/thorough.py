@@ -69,6 +69,10 @@ QUICK: Mapping[str, tuple[str, ...]] = {
     "laws/test_known_answers.py::test_to_paid_fingers_that_lift_a_block_between_them_are_felt_by_both": ("weightless",),
     "laws/test_known_answers.py::test_paid_makes_no_more_than_its_seed_where_tools_touch": ("75", "70092"),
     "mechanics/test_cutting.py::test_what_is_left_moves_on_in_balance": ("spring-network", "cells", "neo-hookean"),
+    "simulation/test_long_steps.py::test_the_balance_is_exact": (
+        "cells cells-kinds2-0.01-1",
+        "cells cells-kinds3-0.04-1",
+    ),
     "simulation/test_bodies.py::test_several_are_cut_in_every_world_to_the_same_bits": ("peers",),
     "simulation/test_bodies.py::test_peers_come_to_the_same_bits": ("paid",),
     "simulation/test_rigid.py::test_both_engines_move_it_alike_and_balance_it": ("hand",),
