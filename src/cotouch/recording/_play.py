@@ -62,9 +62,8 @@ def play(
     ends = columns["end"] - columns["end"][0] + columns["T"][0]
     rows = np.flatnonzero((ends >= start - _SAME) & (ends <= stop + _SAME))
     if rows.size == 0:
-        raise RecordingError(
-            f"{recording.path} has nothing between {start:g} s and {stop:g} s; it is {float(ends[-1]):.4g} s long"
-        )
+        asked = f"between {start:g} s and {stop:g} s" if np.isfinite(stop) else f"after {start:g} s"
+        raise RecordingError(f"{recording.path} has nothing {asked}; it is {float(ends[-1]):.4g} s long")
     body = recording.header.body
     kept = states["state_row"]
     still = np.zeros(body.rest.shape)
