@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from tests.body.inside import CORNERS, LEAST_FILL, carriers, cells_of
 from tests.body.shapes import box, joined, rotation, sphere, volume
 
-from cotouch.body._cells import CORNERS, LEAST_FILL, carriers, cells_of
 from cotouch.errors import BodyError
 
 

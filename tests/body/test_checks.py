@@ -8,9 +8,9 @@ import pytest
 import scipy.sparse as sp
 from hypothesis import given
 from hypothesis import strategies as st
+from tests.body.inside import square
 
 from cotouch.body import Body, chain, lattice
-from cotouch.body._checks import square
 from cotouch.errors import BodyError
 
 FORMS = ["csr", "csc", "coo", "lil", "dok", "bsr", "dia"]

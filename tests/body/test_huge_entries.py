@@ -8,9 +8,9 @@ import warnings
 import numpy as np
 import pytest
 import scipy.sparse as sp
+from tests.body.inside import plausible
 
 from cotouch import BodyError, lattice, point
-from cotouch.body._checks import plausible
 
 
 def test_minors_of_huge_entries_are_compared_without_overflow() -> None:

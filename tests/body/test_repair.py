@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from tests.body.inside import Shells, repaired
 from tests.body.shapes import box, joined, sphere, volume
 
-from cotouch.body._repair import Shells, repaired
 from cotouch.errors import BodyError
 from cotouch.meshfile import Mesh
 

@@ -5,13 +5,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+import scipy.sparse as sp
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.linalg import eigh
+from tests.body.inside import dissect
 from tests.body.shapes import block, box, sphere
 
 from cotouch.body import Body, body_from_surface, body_from_tetrahedra, chain, lattice, lowest_modes
-from cotouch.body import _statics as statics
 from cotouch.errors import BodyError, UnsupportedError
 
 BEAM: dict[str, Any] = {"unit": "m", "young": 1e5, "rayleigh_mass": 0.5, "rayleigh_stiffness": 1e-3}
@@ -62,8 +63,8 @@ def test_chain_modes_in_closed_form():
 def test_nested_dissection_orders_every_node_once(nodes: int, seed: int):
     rng = np.random.default_rng(seed)
     links = rng.random((nodes, nodes)) < 0.1
-    graph = statics.sp.csr_array((links | links.T).astype(np.int8))
-    order = np.concatenate(statics._dissect(np.arange(nodes), rng.normal(size=(nodes, 3)), graph))
+    graph = sp.csr_array((links | links.T).astype(np.int8))
+    order = np.concatenate(dissect(np.arange(nodes), rng.normal(size=(nodes, 3)), graph))
     assert np.array_equal(np.sort(order), np.arange(nodes))
 
 
@@ -196,9 +197,9 @@ def test_known_sums_of_squares_are_only_looked_over():
     from cotouch.body import SumOfSquares
 
     good = np.array([[2.0, -2.0], [-2.0, 2.0]])
-    Body(mass=np.eye(2), rest=[0, 1], stiffness_int=SumOfSquares(statics.sp.csr_array(good)))
+    Body(mass=np.eye(2), rest=[0, 1], stiffness_int=SumOfSquares(sp.csr_array(good)))
     for bad in ([[2.0, -2.1], [-2.1, 2.0]], [[-1.0, 0.0], [0.0, 1.0]]):
         with pytest.raises(
             BodyError, match=r"stiffness_int\[\d, \d\] is .*; stiffness_int must be positive semidefinite"
         ):
-            Body(mass=np.eye(2), rest=[0, 1], stiffness_int=SumOfSquares(statics.sp.csr_array(np.array(bad))))
+            Body(mass=np.eye(2), rest=[0, 1], stiffness_int=SumOfSquares(sp.csr_array(np.array(bad))))

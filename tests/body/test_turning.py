@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
+from tests.body.inside import inertia_excess
 from tests.body.shapes import block, box, sphere
 
 from cotouch.body import body_from_surface, body_from_tetrahedra
-from cotouch.body._inertia import inertia_excess
 
 CORNERS = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
 # A second tetrahedron at a point, an edge and a face of the first.

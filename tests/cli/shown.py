@@ -3,9 +3,9 @@
 from io import StringIO
 
 from rich.console import Console
+from tests.cli.inside import view
 from tests.session.world import World
 
-from cotouch.cli._table import view
 from cotouch.members import SessionWatch
 
 

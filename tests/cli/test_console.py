@@ -3,9 +3,9 @@
 import os
 
 import pytest
+from tests.cli.inside import Console
 from tests.session.world import World
 
-from cotouch.cli._console import Console
 from cotouch.members import Host
 
 TEXT = "[session]\nusers = 3\n[body]\nmass = 0.5\n[steps]\nrate = 50\n"

@@ -8,11 +8,12 @@ from contextlib import AbstractContextManager
 from typing import Any
 
 import pytest
+from tests.cli.inside import page_module
 from tests.web.fake_session_api import FakeSessionApi
 from typer.testing import CliRunner
 from websockets.sync.client import connect
 
-from cotouch.cli import _page, app
+from cotouch.cli import app
 from cotouch.errors import SessionError, TransportError
 from cotouch.members import Part
 from cotouch.session import demo_session, open_host
@@ -20,14 +21,14 @@ from cotouch.web import PageAddress
 
 
 def test_nothing_is_served_unless_wanted():
-    with _page.page(wanted=False, port=70_000, listen="nonsense.", tell=print) as beside:
+    with page_module.page(wanted=False, port=70_000, listen="nonsense.", tell=print) as beside:
         assert beside is None
 
 
 def test_a_stage_is_served_and_the_address_said(monkeypatch: pytest.MonkeyPatch):
     told: list[str] = []
-    monkeypatch.setattr(_page, "desktop", lambda: False)
-    with _page.page(wanted=True, port=0, listen="127.0.0.1", tell=told.append) as beside:
+    monkeypatch.setattr("cotouch.cli._page.desktop", lambda: False)
+    with page_module.page(wanted=True, port=0, listen="127.0.0.1", tell=told.append) as beside:
         assert beside is not None
         with beside(FakeSessionApi("1d")):
             (said,) = told
@@ -44,7 +45,7 @@ def test_a_stage_is_served_and_the_address_said(monkeypatch: pytest.MonkeyPatch)
 def test_who_can_reach_it_from_elsewhere_is_said(monkeypatch: pytest.MonkeyPatch):
     told: list[str] = []
     monkeypatch.setattr(PageAddress, "local", False)  # without opening a port to others here
-    with _page.page(wanted=True, port=0, listen="127.0.0.1", tell=told.append) as beside:
+    with page_module.page(wanted=True, port=0, listen="127.0.0.1", tell=told.append) as beside:
         assert beside is not None
         with beside(FakeSessionApi("1d")):
             assert told[1].startswith("others can reach 127.0.0.1")
@@ -54,15 +55,15 @@ def test_who_can_reach_it_from_elsewhere_is_said(monkeypatch: pytest.MonkeyPatch
 def test_a_browser_gets_a_ticket_and_only_one_with_a_window(kind: type, opened: int, monkeypatch: pytest.MonkeyPatch):
     told: list[str] = []
     calls: list[str] = []
-    monkeypatch.setattr(_page, "desktop", lambda: True)
+    monkeypatch.setattr("cotouch.cli._page.desktop", lambda: True)
     browser = kind("made-up")
     monkeypatch.setattr(browser, "open", calls.append)
     monkeypatch.setattr(webbrowser, "get", lambda: browser)
-    with _page.page(wanted=True, port=0, listen="127.0.0.1", tell=told.append) as beside:
+    with page_module.page(wanted=True, port=0, listen="127.0.0.1", tell=told.append) as beside:
         assert beside is not None
         with beside(FakeSessionApi("1d")):
             for thread in threading.enumerate():
-                if getattr(thread, "_target", None) is _page._open:
+                if getattr(thread, "_target", None) is page_module._open:
                     thread.join(10)
     token = told[0].split("#token=")[1]
     assert len(calls) == opened
@@ -75,7 +76,7 @@ def test_desktop(terminal: bool, display: str, sits: bool, monkeypatch: pytest.M
     monkeypatch.setattr(sys, "stderr", type("Terminal", (), {"isatty": lambda self: terminal})())
     monkeypatch.setenv("DISPLAY", display)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
-    assert _page.desktop() is sits
+    assert page_module.desktop() is sits
 
 
 class TestDemo:
@@ -107,7 +108,7 @@ class TestDemo:
         asked: dict[str, Any],
         monkeypatch: pytest.MonkeyPatch,
     ):
-        monkeypatch.setattr(_page, "watched", lambda: terminal)
+        monkeypatch.setattr("cotouch.cli._page.watched", lambda: terminal)
         result = CliRunner().invoke(app, ["demo", *options, "--port", "0"], catch_exceptions=False)
         assert result.exit_code == 0, result.output
         assert (asked["beside"] is not None, asked["seconds"]) == (page, seconds)

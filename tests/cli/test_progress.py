@@ -5,8 +5,7 @@ import sys
 import time
 
 import pytest
-
-from cotouch.cli._progress import Progress
+from tests.cli.inside import Progress
 
 # What takes seconds to load ends the command here, so that all that was said before it is what one sees meanwhile.
 LIGHT = """

@@ -5,8 +5,7 @@ import signal
 import sys
 
 import pytest
-
-from cotouch.cli._session import stop_signals
+from tests.cli.inside import stop_signals
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
 

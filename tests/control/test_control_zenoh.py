@@ -15,6 +15,7 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from tests.control.inside import open_session, sender_of, start_of
 from tests.live.support import entropy, identities
 
 from cotouch.control import (
@@ -25,16 +26,9 @@ from cotouch.control import (
     MessageWriter,
     Relayed,
     ZenohControl,
-    _control_zenoh,
-    _forward,
-    _held,
-    _line,
-    _relays,
     free_port,
     make_certificates,
 )
-from cotouch.control._zenoh import open_session
-from cotouch.control._zenoh_keys import sender_of, start_of
 from cotouch.errors import SessionError, TransportError
 
 WHO = identities(4)
@@ -95,7 +89,7 @@ def test_no_two_members_listen_at_the_same_key(stack: ExitStack, monkeypatch: py
         spied.append(set())
         return Spy(open_session(configured), spied[-1])
 
-    monkeypatch.setattr(_line, "open_session", spy)
+    monkeypatch.setattr("cotouch.control._line.open_session", spy)
     one, other = joined(stack, invitation(), 2)
     assert all(len(keys) >= 4 for keys in spied)  # said, relayed, files and their sizes
     assert not spied[0] & spied[1]
@@ -259,7 +253,7 @@ def test_a_liar_serves_a_file(stack: ExitStack):
 
 def test_what_nobody_polls_is_bounded(stack: ExitStack, monkeypatch: pytest.MonkeyPatch):
     one, two = joined(stack, invitation(), 2)
-    monkeypatch.setattr(_held, "_MOST_BYTES", 5000)
+    monkeypatch.setattr("cotouch.control._held._MOST_BYTES", 5000)
     for _ in range(10):
         one.send("long", bytes(1000))
         time.sleep(0.01)
@@ -271,8 +265,8 @@ def test_what_nobody_polls_is_bounded(stack: ExitStack, monkeypatch: pytest.Monk
 
 def test_what_cannot_be_sent_yet_is_bounded(stack: ExitStack, monkeypatch: pytest.MonkeyPatch):
     one, two = joined(stack, invitation(), 2)
-    monkeypatch.setattr(_control_zenoh, "_BURST", 1.0)
-    monkeypatch.setattr(_held, "_MOST_ITEMS", 50)
+    monkeypatch.setattr("cotouch.control._control_zenoh._BURST", 1.0)
+    monkeypatch.setattr("cotouch.control._held._MOST_ITEMS", 50)
     for _ in range(2000):
         one.send("much", b"")
     assert one.dropped["not sent yet"] > 1000
@@ -282,7 +276,7 @@ def test_what_cannot_be_sent_yet_is_bounded(stack: ExitStack, monkeypatch: pytes
 def test_relays_are_counted_against_their_sender(stack: ExitStack, monkeypatch: pytest.MonkeyPatch):
     import zenoh
 
-    monkeypatch.setattr(_relays, "_RATE", 100.0)
+    monkeypatch.setattr("cotouch.control._relays._RATE", 100.0)
     one, two = joined(stack, invitation(), 2)
     key, waiting = one._keys.to("relay", two.identity.public), zenoh.CongestionControl.BLOCK
     flood = one._relays.tagged(b"flood", two.identity.public)
@@ -352,8 +346,8 @@ def test_the_host_hands_on_datagrams_of_who_is_not_seen(stack: ExitStack):
 
 
 def test_it_hands_on_so_many_of_each(stack: ExitStack, monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(_forward, "_PASS_BURST", 20.0)
-    monkeypatch.setattr(_forward, "_PASS_RATE", 1e-3)
+    monkeypatch.setattr("cotouch.control._forward._PASS_BURST", 20.0)
+    monkeypatch.setattr("cotouch.control._forward._PASS_RATE", 1e-3)
     host, one, two = joined(stack, invitation(), 3)
     one._near = frozenset({host.identity.public})
     for k in range(60):
@@ -387,8 +381,8 @@ def test_what_stands_in_a_key_may_be_anything(text: str):
 
 def test_of_who_left_little_is_kept_and_memory_is_given_back(stack: ExitStack, monkeypatch: pytest.MonkeyPatch):
     given = list[float]()
-    monkeypatch.setattr(_control_zenoh, "_CALM", 0.2)
-    monkeypatch.setattr(_control_zenoh, "give_back_memory", lambda: given.append(time.monotonic()))
+    monkeypatch.setattr("cotouch.control._control_zenoh._CALM", 0.2)
+    monkeypatch.setattr("cotouch.control._control_zenoh.give_back_memory", lambda: given.append(time.monotonic()))
     host, one, two = joined(stack, invitation(), 3)
     two.send("hello", b"")
     until(lambda: WHO[2].public in host._reader._keys and WHO[2].public in one._reader._keys)

@@ -7,9 +7,10 @@ import ssl
 from collections.abc import Awaitable, Callable
 
 import pytest
+from tests.control.inside import gatekeeper
 from tests.live.support import entropy, identities
 
-from cotouch.control import Endpoint, Invitation, _gatekeeper, make_certificates
+from cotouch.control import Endpoint, Invitation, make_certificates
 
 PATIENCE = 30.0
 
@@ -51,7 +52,7 @@ class Door:
 
     async def invited(self, source: str) -> bytes:
         """What one of the invited hears of the echo."""
-        context = _gatekeeper._context(ssl.Purpose.SERVER_AUTH, given())
+        context = gatekeeper._context(ssl.Purpose.SERVER_AUTH, given())
         reader, writer = await asyncio.open_connection("127.0.0.1", self.port, ssl=context, local_addr=(source, 0))
         writer.write(b"hello")
         said = await reader.readexactly(5)
@@ -77,13 +78,11 @@ def at_the_door(play: Callable[[Door], Awaitable[None]]) -> None:
             writer.write(await reader.readexactly(5))
 
         ours = given()
-        outside, inside = (
-            _gatekeeper._context(one, ours) for one in (ssl.Purpose.CLIENT_AUTH, ssl.Purpose.SERVER_AUTH)
-        )
+        outside, inside = (gatekeeper._context(one, ours) for one in (ssl.Purpose.CLIENT_AUTH, ssl.Purpose.SERVER_AUTH))
         server = await asyncio.start_server(
-            echo, "127.0.0.1", 0, ssl=_gatekeeper._context(ssl.Purpose.CLIENT_AUTH, ours)
+            echo, "127.0.0.1", 0, ssl=gatekeeper._context(ssl.Purpose.CLIENT_AUTH, ours)
         )
-        keeper = _gatekeeper.Gatekeeper(server.sockets[0].getsockname(), outside, inside)
+        keeper = gatekeeper.Gatekeeper(server.sockets[0].getsockname(), outside, inside)
         with socket.create_server(("127.0.0.1", 0), backlog=1024) as listening:
             task = asyncio.create_task(keeper.listen(listening))
             door = Door(listening.getsockname()[1])
@@ -103,7 +102,7 @@ def at_the_door(play: Callable[[Door], Awaitable[None]]) -> None:
 
 @pytest.fixture(autouse=True)
 def nothing_ends_by_itself(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(_gatekeeper, "_HANDSHAKE", 600.0)
+    monkeypatch.setattr("cotouch.control._gatekeeper._HANDSHAKE", 600.0)
 
 
 def test_of_300_half_open_connections_of_one_source_16_stay_and_others_lose_none() -> None:
@@ -137,7 +136,7 @@ def test_of_many_sources_64_stay_and_the_greediest_loses() -> None:
 
 
 def test_a_handshake_that_takes_too_long_is_ended(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(_gatekeeper, "_HANDSHAKE", 0.2)
+    monkeypatch.setattr("cotouch.control._gatekeeper._HANDSHAKE", 0.2)
     at_the_door(_slow)
 
 

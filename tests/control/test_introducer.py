@@ -6,11 +6,10 @@ import time
 from collections.abc import Callable, Sequence
 
 import pytest
+from tests.control.inside import Introducer, answering
 from tests.live.support import identities
 
 from cotouch.control import Endpoint, free_port
-from cotouch.control import _introducer as room
-from cotouch.control._introducer import Introducer, answering
 
 ONE, TWO = (identity.public for identity in identities(2))
 HERE = Endpoint("127.0.0.1", 9)
@@ -46,13 +45,14 @@ class Beside:
 
 
 def test_no_session_is_opened_for_who_does_not_answer(monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(room, "_PATIENCE", 0.0)
-    monkeypatch.setattr(room, "_PERIOD", 0.01)
-    monkeypatch.setattr(room, "_KNOCK_EVERY", 0.05)
+    monkeypatch.setattr("cotouch.control._introducer._PATIENCE", 0.0)
+    monkeypatch.setattr("cotouch.control._introducer._PERIOD", 0.01)
+    monkeypatch.setattr("cotouch.control._introducer._KNOCK_EVERY", 0.05)
     opened, made = list[tuple[Endpoint, ...]](), list[Beside]()
     knocks = list[int]()
-    knock = room.answering
-    monkeypatch.setattr(room, "answering", lambda at, closing: (knocks.append(len(at)), knock(at, closing))[1])
+    monkeypatch.setattr(
+        "cotouch.control._introducer.answering", lambda at, closing: (knocks.append(len(at)), answering(at, closing))[1]
+    )
 
     def beside(endpoints: Sequence[Endpoint]) -> Beside:
         opened.append(tuple(endpoints))

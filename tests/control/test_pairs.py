@@ -3,9 +3,8 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from tests.control.inside import PairTags
 from tests.live.support import identities
-
-from cotouch.control._pairs import PairTags
 
 ONE, TWO, THREE = identities(3)
 

@@ -125,9 +125,8 @@ def test_all_together_are_limited():
 
 
 def test_made_up_senders_are_bounded(monkeypatch: pytest.MonkeyPatch):
-    from cotouch.control import _sign
 
-    monkeypatch.setattr(_sign, "_MOST_SENDERS", 5)
+    monkeypatch.setattr("cotouch.control._sign._MOST_SENDERS", 5)
     listener = reader(rate=1e9, burst=1e9)
     made = [writer(Identity.make(entropy(member))) for member in range(9)]
     out = [listener.read(one.write("a", b""), 0.0) for one in made]
@@ -145,10 +144,9 @@ def test_what_is_refused_changes_nothing_but_a_counter():
 
 
 def test_who_left_leaves_its_last_counter_and_no_more(monkeypatch: pytest.MonkeyPatch):
-    from cotouch.control import _sign
 
-    monkeypatch.setattr(_sign, "_MOST_SENDERS", 3)
-    monkeypatch.setattr(_sign, "_MOST_GONE", 4)
+    monkeypatch.setattr("cotouch.control._sign._MOST_SENDERS", 3)
+    monkeypatch.setattr("cotouch.control._sign._MOST_GONE", 4)
     listener = reader(rate=1e9, burst=1e9)
     made = [writer(Identity.make(entropy(member))) for member in range(20)]
     old = [one.write("a", b"1") for one in made]

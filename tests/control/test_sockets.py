@@ -6,9 +6,7 @@ import sys
 from collections.abc import Iterator
 
 import pytest
-
-from cotouch.control._listening import is_ours
-from cotouch.control._sockets import sockets, tend_links
+from tests.control.inside import is_ours, sockets, tend_links
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="this system does not show a process its sockets")
 GONE = "127.0.0.9"

@@ -4,9 +4,9 @@ from dataclasses import dataclass, field
 
 import numba
 import numpy as np
+from tests.device.inside import tick
 
 from cotouch.device import DEVICE_LEDGER, Devices, DeviceState, advance
-from cotouch.device._servo import tick
 from cotouch.mechanics import END, PSPM, EnergyMessage, book_end, end_row, hear, message_of
 
 Array = np.ndarray

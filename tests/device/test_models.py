@@ -1,6 +1,7 @@
 """Specifications, and what is refused with which sentence."""
 
 import pytest
+from tests.device.inside import tables
 
 from cotouch.device import (
     DEVICE_LEDGER,
@@ -15,7 +16,6 @@ from cotouch.device import (
     critical_stiffness,
     preset,
 )
-from cotouch.device import _tables as tables
 from cotouch.errors import DeviceError
 
 

@@ -12,7 +12,6 @@ from tests.drivers.moved import Moved
 from tests.drivers.standin import COMPILER, Board, Service, build, firmware, inverse_service
 from tests.recording.driven import Driven
 
-from cotouch.drivers import _recorded
 from cotouch.recording import read_recording
 
 
@@ -55,5 +54,5 @@ def moved(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Moved:
     place = 0.1 + 0.02 * np.stack([np.sin(9 * time), np.cos(7 * time), time], axis=1)
     places = np.stack([np.full_like(place, np.nan), place], axis=1)
     with_tools = replace(bare, columns={**bare.columns, "tool_place": places})
-    monkeypatch.setattr(_recorded, "read_recording", lambda _path: with_tools)
+    monkeypatch.setattr("cotouch.drivers._recorded.read_recording", lambda _path: with_tools)
     return Moved(path, time, place)

@@ -6,11 +6,9 @@ from pathlib import Path
 
 import pytest
 from tests.drivers.driving import PUSH
+from tests.drivers.inside import ForceDimension, Inverse3, OrderWriter, Touch
 from tests.drivers.standin import Board, Fault, Service
 
-from cotouch.drivers._force_dimension import ForceDimension
-from cotouch.drivers._inverse import Inverse3
-from cotouch.drivers._touch import Touch
 from cotouch.haptics import (
     Cause,
     Device,
@@ -22,7 +20,6 @@ from cotouch.haptics import (
     ServoSettings,
     size,
 )
-from cotouch.haptics._mailboxes import OrderWriter
 from cotouch.mechanics import EnergyMessage
 
 # Shorter than the 40 ms after which whoever watches takes a servo for dead, longer than any watchdog here [s].

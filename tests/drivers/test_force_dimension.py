@@ -9,12 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from tests.drivers.driving import push, ready
+from tests.drivers.inside import SPECS, SYSTEMS, ForceDimension, count, versioned
 from tests.drivers.standin import COMPILER, Board, Fault
 
-from cotouch.drivers._dhd import count
-from cotouch.drivers._dhd_systems import SPECS, SYSTEMS
-from cotouch.drivers._force_dimension import ForceDimension
-from cotouch.drivers._library import _versioned
 from cotouch.errors import DeviceError
 from cotouch.haptics import Flag
 
@@ -211,9 +208,9 @@ def test_a_library_with_a_version_in_its_name_is_found(board: Board, built: Path
 def test_versions(tmp_path: Path, names: tuple[str, ...], there: list[str], found: list[str]):
     for name in there:
         (tmp_path / name).touch()
-    versions = [re.sub(r"[^0-9.]", "", Path(path).name).strip(".") for path in _versioned(tmp_path, names)]
+    versions = [re.sub(r"[^0-9.]", "", Path(path).name).strip(".") for path in versioned(tmp_path, names)]
     assert versions == found
-    assert _versioned(tmp_path / "nowhere", names) == ()
+    assert versioned(tmp_path / "nowhere", names) == ()
 
 
 def test_library_that_is_too_old(tmp_path: Path):

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.drivers.inside import Gamepad
 
-from cotouch.drivers._gamepad import Gamepad
 from cotouch.errors import DeviceError
 
 EVENT = struct.Struct("@llHHi")

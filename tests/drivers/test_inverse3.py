@@ -5,11 +5,9 @@ import time
 import numpy as np
 import pytest
 from tests.drivers.driving import push, ready
+from tests.drivers.inside import Inverse3, halt, present, read_event, read_state
 from tests.drivers.standin import Fault, Service, inverse_service
 
-from cotouch.drivers._inverse import Inverse3
-from cotouch.drivers._inverse_aside import halt, present
-from cotouch.drivers._inverse_frame import read_event, read_state
 from cotouch.errors import DeviceError
 from cotouch.haptics import Flag
 

@@ -7,12 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from tests.drivers.driving import push, ready
+from tests.drivers.inside import Grip, Inverse3, deviations, grip_of, holders, read_event, read_state
 from tests.drivers.standin import Fault, Service, inverse_service
 
-from cotouch.drivers._inverse import Inverse3
-from cotouch.drivers._inverse_aside import holders
-from cotouch.drivers._inverse_frame import Grip, grip_of, read_event, read_state
-from cotouch.drivers._inverse_session import deviations
 from cotouch.errors import DeviceError
 from cotouch.haptics import Flag
 

@@ -17,10 +17,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from tests.drivers.standin import Board, Fault, Service
+from tests.haptics.inside import ReportReader
 from tests.stalls import Stalls
 
 from cotouch.haptics import Cause, CouplingChoice, DeviceChoice, ProxyEnd, ServoLink
-from cotouch.haptics._mailboxes import ReportReader
 from cotouch.mechanics import EnergyMessage
 
 FORK = multiprocessing.get_context("fork")

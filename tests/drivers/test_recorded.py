@@ -4,9 +4,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.drivers.inside import RecordedHand
 from tests.drivers.moved import Moved
 
-from cotouch.drivers._recorded import RecordedHand
 from cotouch.errors import DeviceError
 
 

@@ -7,11 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from tests.drivers.driving import push, ready
+from tests.drivers.inside import Touch, alive, quaternion
 from tests.drivers.standin import Board, Fault
 from tests.stalls import Stalls
 
-from cotouch.drivers import _touch
-from cotouch.drivers._touch import Touch, _quaternion
 from cotouch.errors import DeviceError
 from cotouch.haptics import Flag
 
@@ -67,7 +66,7 @@ def test_exceptions_in_a_tick_end_the_force(
         board.set("struck", time.monotonic())
         raise error
 
-    monkeypatch.setattr(_touch, "_quaternion", bad)
+    monkeypatch.setattr("cotouch.drivers._touch._quaternion", bad)
     with pytest.raises(DeviceError, match="the servo failed"):
         push(device, 20)
     time.sleep(0.02)
@@ -77,16 +76,16 @@ def test_exceptions_in_a_tick_end_the_force(
 def test_the_callback_outlives_whoever_forgets_its_device(board: Board, built: Path):
     device = Touch(library=str(built))
     ready(device)
-    callbacks = len(_touch._ALIVE)
+    callbacks = len(alive)
     hd = device._hd
     assert hd is not None
     del device
     gc.collect()
     time.sleep(0.05)  # it still ticks, with a force that nobody renews
-    assert len(_touch._ALIVE) == callbacks
+    assert len(alive) == callbacks
     assert board.get("motor") == (0.0, 0.0, 0.0)
     hd.halt()
-    _touch._ALIVE.clear()
+    alive.clear()
 
 
 def test_calibration_by_hand(board: Board, device: Touch):
@@ -181,7 +180,7 @@ def test_quaternions(turn: float, axis: int):
     R[i, i], R[i, j], R[j, i], R[j, j] = c, -s, s, c
     transform = np.eye(4)
     transform[:3, :3] = R
-    got = np.array(_quaternion(transform.T.ravel().tolist()))
+    got = np.array(quaternion(transform.T.ravel().tolist()))
     want = np.zeros(4)
     want[axis], want[3] = np.sin(turn / 2), np.cos(turn / 2)
     np.testing.assert_allclose(got * np.sign(got[3]), want, atol=1e-12)

@@ -9,12 +9,10 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 from tests.drivers.driving import TWIST, fails, is_sentence, push, ready
+from tests.drivers.inside import ForceDimension, Touch, quaternion_of
 from tests.drivers.standin import Board, Fault
 from tests.stalls import Stalls
 
-from cotouch.drivers._force_dimension import ForceDimension
-from cotouch.drivers._rotation import quaternion_of
-from cotouch.drivers._touch import Touch
 from cotouch.haptics import FORCE_DIMENSION, OPENHAPTICS, Flag
 
 AXES = {"sigma.7": FORCE_DIMENSION, "Premium 6DOF": OPENHAPTICS}

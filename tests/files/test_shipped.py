@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from cotouch.errors import ScenarioError
-from cotouch.files import _shipped, shipped
+from cotouch.files import shipped
 
 
 def test_in_the_sources() -> None:
@@ -16,7 +16,7 @@ def test_beside_the_package_first(monkeypatch: pytest.MonkeyPatch, tmp_path: Pat
     installed = tmp_path / "study" / "five-users.toml"
     installed.parent.mkdir()
     installed.write_text("")
-    monkeypatch.setattr(_shipped, "files", lambda _: tmp_path)
+    monkeypatch.setattr("cotouch.files._shipped.files", lambda _: tmp_path)
     assert shipped("study", "five-users.toml", ScenarioError) == installed
 
 

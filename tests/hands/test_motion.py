@@ -1,7 +1,6 @@
 import numpy as np
 import pytest
-
-from cotouch.hands._motion import Mover, Wander
+from tests.hands.inside import Mover, Wander
 
 
 def test_it_reaches_a_goal_and_hardly_passes_it() -> None:

@@ -3,8 +3,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
+from tests.hands.inside import Turner, nearest_to, turned
 
-from cotouch.hands._turning import Turner, nearest_to, turned
 from cotouch.haptics import back, product, turn_of, vector_of
 
 

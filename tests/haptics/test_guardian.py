@@ -5,11 +5,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.haptics.inside import ReportWriter, ServoWatch, Watched
 from tests.haptics.plant import PLANT, PLANT_ALONE
 
 from cotouch.haptics import Cause, DeviceChoice, Driver, Flag, ServoReport, ServoSettings
-from cotouch.haptics._guardian import ServoWatch
-from cotouch.haptics._mailboxes import ReportWriter, Watched
 from cotouch.mechanics import EnergyMessage
 
 

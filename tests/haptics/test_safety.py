@@ -7,12 +7,12 @@ from math import inf, nan
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.haptics.inside import STOOD
 from tests.thorough import examples
 
 from cotouch.device import PRESETS
 from cotouch.errors import DeviceError
 from cotouch.haptics import Cause, Heat, Observation, SafetyChain, SafetyLimits, saturate, silence, size, slew, spoken
-from cotouch.haptics._safety import STOOD
 
 LIMITS = SafetyLimits.of(PRESETS["touch"])
 anything = st.floats(allow_nan=True, allow_infinity=True)

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.haptics.inside import OrderWriter, ReportReader, ReportWriter, hung_up
 from tests.haptics.plant import DEAF, FROZEN, NAN, SLOW, THROW, Plant, PlantDevice
 from tests.stalls import Stalls
 
@@ -26,8 +27,6 @@ from cotouch.haptics import (
     SimulatedOnClock,
     simulated_model,
 )
-from cotouch.haptics._mailboxes import OrderWriter, ReportReader, ReportWriter
-from cotouch.haptics._servo import _hung_up
 from cotouch.mechanics import EnergyMessage
 
 
@@ -180,7 +179,7 @@ def test_how_a_handle_is_turned_comes_to_the_peer(tmp_path: Path):
 def test_whose_pipe_is_held_by_nobody_else_knows_it_at_once(kept: int):
     pipe = os.pipe()
     try:
-        gone = _hung_up(pipe[kept])
+        gone = hung_up(pipe[kept])
         assert not gone()
         os.close(pipe[1 - kept])
         assert gone()

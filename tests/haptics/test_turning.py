@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
+from tests.haptics.inside import OrderReader, OrderWriter, ReportReader, ReportWriter, way_back, with_wrist
 
 from cotouch.device import PRESETS
 from cotouch.errors import DeviceError
@@ -25,9 +26,6 @@ from cotouch.haptics import (
     ServoSettings,
     at_arm,
 )
-from cotouch.haptics._mailboxes import OrderReader, OrderWriter, ReportReader, ReportWriter
-from cotouch.haptics._quaternions import way_back
-from cotouch.haptics._simulated import with_wrist
 from cotouch.mechanics import EnergyMessage
 
 SPEC = with_wrist(PRESETS["omega"])

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from tests.haptics.inside import End
 from tests.haptics.two_ports import Body, Ran, check_passive, circumstances, run
 
 from cotouch.device import PRESETS
@@ -20,7 +21,6 @@ from cotouch.haptics import (
     simulated_model,
     virtual_limit,
 )
-from cotouch.haptics._ends import _End
 from cotouch.mechanics import END, EnergyMessage
 
 SPEC = PRESETS["phantom"]
@@ -95,15 +95,15 @@ def test_beyond_its_limit_it_would_make_energy_and_the_account_stops_it(monkeypa
     assert min(ran.fractions) < 0.5
     assert ran.excess <= ran.bound
     # Without the account it gives more than that bound: the scenario is one that counts.
-    honest = _End.run
+    honest = End.run
 
-    def rich(end: _End, *given) -> object:
+    def rich(end: End, *given) -> object:
         end.row[[END.energy, END.initial]] += 1e3
         acts = honest(end, *given)
         end.row[[END.energy, END.initial]] -= 1e3
         return acts
 
-    monkeypatch.setattr(_End, "run", rich)
+    monkeypatch.setattr(End, "run", rich)
     ran = rung()
     assert ran.excess > ran.bound
     assert any(report.causes & Cause.ACTIVE for report in ran.reports)  # the observer then ends it

@@ -1,7 +1,8 @@
 """What whoever holds a device is told."""
 
+from tests.haptics.inside import WarningLog
+
 from cotouch.haptics import Cause
-from cotouch.haptics._warning_log import WarningLog
 
 NONE = Cause(0)
 

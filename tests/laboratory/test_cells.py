@@ -6,10 +6,9 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from tests.laboratory.inside import Store, cells, many, source_of
 
 from cotouch import stamps
-from cotouch.laboratory import _cells
-from cotouch.laboratory._cells import Store, cells, many, source_of
 from cotouch.laws import law_named
 
 
@@ -81,7 +80,7 @@ def test_a_law_is_another_when_a_file_that_it_imports_is(tmp_path: Path, monkeyp
         asked.append(path.name)
         return ("another", 1)
 
-    monkeypatch.setattr(_cells, "stamp_of", another)
+    monkeypatch.setattr("cotouch.laboratory._cells.stamp_of", another)
     assert source_of(before) != first
     assert asked == ["_paid.py"]
     monkeypatch.undo()
@@ -129,7 +128,7 @@ def test_a_cluster_gets_cells_in_portions_and_what_it_brings_is_kept(
         assert dask == "tcp://here:1"
         yield SimpleNamespace(parallel=parallel, jobs=jobs)
 
-    monkeypatch.setattr(_cells, "workers", cluster)
+    monkeypatch.setattr("cotouch.laboratory._cells.workers", cluster)
     with pytest.raises(Stop):
         cells("double", double, CELLS, jobs=1, dask="tcp://here:1", store=Store(tmp_path, "1"))
     assert portions == [4, 3]

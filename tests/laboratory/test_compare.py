@@ -12,16 +12,24 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy import stats
+from tests.laboratory.inside import (
+    TASKS,
+    HandKind,
+    LawTable,
+    NetworkTable,
+    danger,
+    dangerous,
+    harmless,
+    losing,
+    multiples,
+    ours,
+    spread,
+    tune,
+)
 from tests.laws.scenes import law_of
 
 from cotouch.errors import ScenarioError
 from cotouch.laboratory import MEASURES, Study, broken, compare, ideal, mean_cost, measured, write_report
-from cotouch.laboratory._compare import danger
-from cotouch.laboratory._noticed import losing, multiples, ours
-from cotouch.laboratory._score import dangerous
-from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, spread
-from cotouch.laboratory._tasks import TASKS
-from cotouch.laboratory._tune import harmless, tune
 from cotouch.laws import End, copy, register
 from cotouch.simulation import discrepancy, prepare, simulate
 

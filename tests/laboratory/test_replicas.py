@@ -5,16 +5,23 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.laboratory.inside import (
+    REPLICAS,
+    HandKind,
+    LawTable,
+    Moved,
+    NetworkTable,
+    dangerous,
+    drawn,
+    replicate,
+    score,
+    tunable,
+    tune,
+)
 from tests.laws.scenes import PASSIVE, law_of
 
 from cotouch.errors import ScenarioError
 from cotouch.laboratory import Study, ideal, measured
-from cotouch.laboratory._compare import drawn, score
-from cotouch.laboratory._replicas import REPLICAS, Moved, replicate
-from cotouch.laboratory._score import dangerous
-from cotouch.laboratory._study import tunable
-from cotouch.laboratory._study_tables import HandKind, LawTable, NetworkTable
-from cotouch.laboratory._tune import tune
 from cotouch.laws import register
 from cotouch.simulation import prepare, run_batch, with_hands
 

@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
+from tests.mechanics.inside import SWEEPS
 from tests.mechanics.materials import EVERY, FLOATS, Alone, bent, energy_at, made, rotation
 
 from cotouch.body import Placed, together
 from cotouch.mechanics import ELASTIC, KINETIC, SHORTENED
-from cotouch.mechanics._nearest import SWEEPS
 
 # Of forty steps, so many may be shortened; which ones, rounding decides.
 FEW = 8

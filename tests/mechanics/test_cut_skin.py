@@ -7,6 +7,7 @@ import numpy.typing as npt
 import pytest
 import scipy.sparse as sp
 from tests.mechanics.materials import Alone, bent, made
+from tests.recording.inside import Outside, RecordedMaterial
 
 from cotouch.body import Body, Placed, together, with_faces
 from cotouch.mechanics import (
@@ -25,8 +26,6 @@ from cotouch.mechanics import (
     decide_cuts,
     sever,
 )
-from cotouch.recording._material import RecordedMaterial
-from cotouch.recording._outside import Outside
 
 Float = npt.NDArray[np.float64]
 H = 0.01

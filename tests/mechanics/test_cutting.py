@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 from scipy.spatial import KDTree
+from tests.mechanics.inside import EDGES, SOLIDS, crosses, gradients_of, lame_of, principal_stress
 from tests.mechanics.materials import YOUNG, Alone, bent, boxes, energy_at, made
 
 from cotouch.body import FACES, Body, body_from_tetrahedra, cut_skin, lattice
@@ -25,10 +26,6 @@ from cotouch.mechanics import (
     sever,
     surface_of,
 )
-from cotouch.mechanics._breaking import SOLIDS, principal_stress
-from cotouch.mechanics._crossing import crosses
-from cotouch.mechanics._cutting_of import EDGES
-from cotouch.mechanics._materials import gradients_of, lame_of
 
 Float = npt.NDArray[np.float64]
 CUTTABLE = ("spring-network", "cells", "corotated", "st-venant-kirchhoff", "neo-hookean")

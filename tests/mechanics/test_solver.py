@@ -8,13 +8,12 @@ import pytest
 import scipy.sparse as sp
 from hypothesis import given
 from hypothesis import strategies as st
+from tests.mechanics.inside import chebyshev, chebyshev_iterations, conjugate_gradients, invert, operator_of
 from tests.mechanics.reference import dense_step, dense_system
 from tests.mechanics.support import Copy, Port, Scene, Spring, periods, random_scene, scenes
 
 from cotouch.body import Body, chain, lattice
 from cotouch.mechanics import SUPPLIED, Operator
-from cotouch.mechanics._model import _operator
-from cotouch.mechanics._solve import chebyshev, chebyshev_iterations, conjugate_gradients, invert
 
 
 def stiff_lattice(dimension: int = 2) -> Body:
@@ -189,7 +188,7 @@ class System:
             none,
             sp.eye_array(diagonal.size, format="csr"),
         ]
-        self.op: Operator = _operator(matrices, 1, split)
+        self.op: Operator = operator_of(matrices, 1, split)
         self.A = off + np.diag(diagonal)
         self.diagonal, self.inverse, self.scale = diagonal, np.zeros(diagonal.size), scale * self.op.mix[0, 0]
         self.bound = float(invert(self.op, np.array([self.scale]), diagonal, self.inverse))

@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
+from tests.mechanics.inside import Fit, box_distance, fit_of, place_vertex, refit
 
 from cotouch.body import Body, Placed, lattice, rigid_box, together
 from cotouch.errors import BodyError
 from cotouch.mechanics import Basis, Surface, model, surface_of
-from cotouch.mechanics._surface import Fit, box_distance, fit_of, place_vertex, refit
 
 Array = np.ndarray
 

@@ -5,9 +5,9 @@ from typing import Any
 import numba
 import numpy as np
 import pytest
+from tests.mechanics.inside import WIDTHS, four, root, transposed
 
 from cotouch.mechanics import at, kernel, load, put, size, splat, store, total, where
-from cotouch.mechanics._vector import WIDTHS, four, root, transposed
 
 LANES = [(0,) * width for width in WIDTHS]
 

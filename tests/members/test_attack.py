@@ -11,7 +11,6 @@ from tests.members import attack
 from tests.members.attack import GOALS, Search, play
 from tests.members.lie import Lie, near, random_lie
 
-from cotouch.members import _replica
 from cotouch.peer import LinkGuard
 from cotouch.samples import BudgetAgreement
 
@@ -31,7 +30,7 @@ WITHOUT: dict[str, Callable[[pytest.MonkeyPatch], None]] = {
     "a budget that no clock shows": lambda patch: patch.setattr(BudgetAgreement, "__init__", _unlimited),
     "energy that nobody had": lambda patch: patch.setattr(LinkGuard, "_receive", _believing),
     "stamps of the future": lambda patch: patch.setattr(LinkGuard, "settle", _generous),
-    "silence, where everybody waits": lambda patch: patch.setattr(_replica, "_MOST_WAIT", np.inf),
+    "silence, where everybody waits": lambda patch: patch.setattr("cotouch.members._replica._MOST_WAIT", np.inf),
 }
 _made, _settled = BudgetAgreement.__init__, LinkGuard.settle
 

@@ -2,9 +2,9 @@
 
 import pytest
 from tests.live.support import entropy, identities
+from tests.members.inside import KeyExchange
 
 from cotouch.control import MemoryControl, MemoryControlNetwork
-from cotouch.members._keys import KeyExchange
 from cotouch.samples import RENEW_EVERY, Agreement, Opened, SealedLink
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 import pytest
+from tests.members.inside import MOST_LEAP, Belief, order_of, signed
 from tests.members.test_succession import (
     ANN,
     BEN,
@@ -20,7 +21,6 @@ from tests.members.test_succession import (
 )
 
 from cotouch.members import Decided, Decision, Former, NameOwner, Roster, SessionFile, genuine
-from cotouch.members._succession import MOST_LEAP, Belief, order_of, signed
 from cotouch.network import Network
 from cotouch.samples import Identity
 

@@ -4,11 +4,11 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from tests.members.inside import MOST_LEAP, Belief, acting, order_of, signed
 from tests.session.world import Person, World, entropy
 
 from cotouch.errors import SessionError
 from cotouch.members import Decided, Decision, Entry, NameOwner, Roster, write
-from cotouch.members._succession import MOST_LEAP, Belief, acting, order_of, signed
 from cotouch.samples import Identity
 
 FOUR = """

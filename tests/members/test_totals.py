@@ -4,8 +4,8 @@ from dataclasses import fields
 from typing import Any
 
 import numpy as np
+from tests.members.inside import Totals
 
-from cotouch.members._totals import Totals
 from cotouch.peer import StepReport
 
 

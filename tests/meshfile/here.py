@@ -4,16 +4,15 @@ import io
 from pathlib import Path
 
 import pytest
+from tests.meshfile.inside import answer, promised, receive, surfaces, volumes
 
 from cotouch.errors import BodyError
-from cotouch.meshfile import Mesh, _inside, _read, _surfaces, _volumes
-from cotouch.meshfile._promises import promised
-from cotouch.meshfile._wire import receive
+from cotouch.meshfile import Mesh
 
 
 def parse_here(monkeypatch: pytest.MonkeyPatch) -> None:
     """From now on."""
-    monkeypatch.setattr(_read, "_answer", parsed_here)
+    monkeypatch.setattr("cotouch.meshfile._read._answer", parsed_here)
 
 
 def promised_elements(path: Path) -> int | None:
@@ -25,7 +24,7 @@ def parsed_here(path: Path, corners: int, most: int, memory: int, seconds: float
     """What `cotouch.meshfile._read._answer` gives, without limits on memory and time."""
     del seconds
     out = io.BytesIO()
-    _inside.answer(_surfaces if corners == 3 else _volumes, path, most, memory, out)
+    answer(surfaces if corners == 3 else volumes, path, most, memory, out)
     out.seek(0)
     said = receive(out, corners, memory)
     if isinstance(said, Mesh):

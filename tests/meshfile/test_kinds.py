@@ -15,7 +15,7 @@ from tests.meshfile.here import parsed_here
 
 from cotouch.body import body_from_surface, is_surface
 from cotouch.errors import BodyError
-from cotouch.meshfile import Mesh, _read, read_surface, read_tetrahedra
+from cotouch.meshfile import Mesh, read_surface, read_tetrahedra
 from cotouch.scenario import FileTable
 
 MOST = 1000
@@ -24,7 +24,7 @@ CORNERS = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
 
 @pytest.fixture(autouse=True)
 def here(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(_read, "_answer", parsed_here)
+    monkeypatch.setattr("cotouch.meshfile._read._answer", parsed_here)
 
 
 def volume(mesh: Mesh) -> float:

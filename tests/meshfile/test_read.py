@@ -9,10 +9,10 @@ import numpy as np
 import psutil
 import pytest
 from tests.body.shapes import sphere
+from tests.meshfile.inside import START, receive, send
 
 from cotouch.errors import BodyError
-from cotouch.meshfile import Mesh, _read, read_surface
-from cotouch.meshfile._wire import receive, send
+from cotouch.meshfile import Mesh, read_surface
 
 
 @pytest.fixture
@@ -31,8 +31,8 @@ def children() -> set[int]:
 
 def ended(monkeypatch: pytest.MonkeyPatch, ball: Path, script: str, seconds: float = 20.0) -> str:
     """What is said of a reader that does this instead."""
-    monkeypatch.setattr(_read, "_START", script)
-    monkeypatch.setattr(_read, "budget", lambda size: (64 << 20, seconds))
+    monkeypatch.setattr("cotouch.meshfile._read._START", script)
+    monkeypatch.setattr("cotouch.meshfile._read.budget", lambda size: (64 << 20, seconds))
     before = children()
     with pytest.raises(BodyError) as caught:
         read_surface(ball, 1000)
@@ -53,14 +53,14 @@ def test_ends_of_a_reader(monkeypatch: pytest.MonkeyPatch, ball: Path) -> None:
 
 
 def test_processor_time_is_limited(monkeypatch: pytest.MonkeyPatch, ball: Path) -> None:
-    confined = _read._START.replace("main(**given)", "confine(given['memory'], 0); any(iter(int, 1))")
+    confined = START.replace("main(**given)", "confine(given['memory'], 0); any(iter(int, 1))")
     script = confined.replace("import main", "import confine")
     assert ended(monkeypatch, ball, script, 60.0) == "that takes longer than 60 s"
 
 
 def test_a_reader_can_write_nothing(monkeypatch: pytest.MonkeyPatch, ball: Path) -> None:
     spoilt = str(ball.parent / "spoilt")
-    confined = _read._START.replace("main(**given)", f"confine(1 << 28, 9); open({spoilt!r}, 'w').write('x')")
+    confined = START.replace("main(**given)", f"confine(1 << 28, 9); open({spoilt!r}, 'w').write('x')")
     assert ended(monkeypatch, ball, confined.replace("import main", "import confine")) == "its reader gave no answer"
     assert not Path(spoilt).read_bytes()
 

@@ -2,12 +2,10 @@
 
 import numpy as np
 import pytest
+from tests.network.inside import REGULAR, count_right, cut, definite, evaluate, negatives, scratch
 
 from cotouch.arrays import Float
 from cotouch.network import Network, characteristic, closed_loop, generator_eigenvalues, rightmost
-from cotouch.network._definite import definite, negatives
-from cotouch.network._elimination import REGULAR, cut, evaluate, scratch
-from cotouch.network._rightmost import count_right
 
 
 def sparse(users: int, links: int, seed: int) -> Network:

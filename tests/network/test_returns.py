@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from tests.network.inside import bend_of, consensus_loop, excluded, swift, thorough, turn_of
 from tests.network.support import five_users, pairs, random_network
 
 from cotouch.network import (
@@ -14,9 +15,6 @@ from cotouch.network import (
     on_line,
     value,
 )
-from cotouch.network._consensus import consensus_loop
-from cotouch.network._resonance import _swift, _thorough
-from cotouch.network._returns import bend_of, excluded, turn_of
 
 NOWHERE = np.zeros(0, dtype=np.complex128)
 
@@ -100,8 +98,8 @@ def test_both_ways_find_the_same_root(unit):
     settled = 0
     for _ in range(12):
         loop = random_loop(rng, unit)
-        slow, sure, _ = _thorough(loop, np.pi / unit, NOWHERE, np.inf)
-        quick, certain, _ = _swift(loop, np.pi / unit, NOWHERE, np.inf)
+        slow, sure, _ = thorough(loop, np.pi / unit, NOWHERE, np.inf)
+        quick, certain, _ = swift(loop, np.pi / unit, NOWHERE, np.inf)
         assert sure
         if certain:
             settled += 1
@@ -113,9 +111,9 @@ def test_enough_is_enough_and_nothing_beyond_is_never_claimed_wrongly():
     network, unit = five_users().with_links(pairs("12 14 23 24 34 45")), 0.01
     lags = consensus_lags(network, time_unit=unit, convention="equation", rounding="exact")
     loop, top = consensus_loop(network, lags, unit), np.pi / unit
-    root, certain, _ = _swift(loop, top, NOWHERE, np.inf)
+    root, certain, _ = swift(loop, top, NOWHERE, np.inf)
     assert certain
-    some, certain, _ = _swift(loop, top, NOWHERE, 2.0 * root.real)
+    some, certain, _ = swift(loop, top, NOWHERE, 2.0 * root.real)
     assert certain
     assert 2.0 * root.real <= some.real <= root.real + 1e-12
     assert none_beyond(loop, top, 0.98 * root.real)

@@ -2,11 +2,10 @@
 
 import numpy as np
 import pytest
+from tests.network.inside import consensus_loop, windows
 from tests.network.support import random_network
 
 from cotouch.network import consensus_lags
-from cotouch.network._consensus import consensus_loop
-from cotouch.network._windows import windows
 
 
 @pytest.mark.parametrize("seed", range(12))

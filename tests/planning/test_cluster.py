@@ -5,8 +5,7 @@ from dataclasses import dataclass, field
 
 import pytest
 from joblib import delayed
-
-from cotouch.planning._workers import Cluster
+from tests.planning.inside import Cluster
 
 
 @dataclass

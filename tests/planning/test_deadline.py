@@ -6,12 +6,12 @@ from itertools import count
 
 import numpy as np
 import pytest
+from tests.planning.inside import aside, in_real_time
 from tests.planning.support import five_users
 
 from cotouch.interrupt import Flag, check, flag, heeding
 from cotouch.network import Network
 from cotouch.planning import CountsInterrupted, TuningInterrupted, plan_counts, tune_springs, until, worked
-from cotouch.planning._deadline import aside, in_real_time
 
 
 def raised(some: Flag) -> None:

@@ -2,14 +2,10 @@
 
 import numpy as np
 import pytest
+from tests.planning.inside import Front, admissible, flood, holds, level_of, make_problem, random_choice
 from tests.planning.support import five_users
 
 from cotouch.network import Network, rightmost_root
-from cotouch.planning._flood import Front, flood
-from cotouch.planning._levels import holds, level_of
-from cotouch.planning._problem import make_problem
-from cotouch.planning._starts import random_choice
-from cotouch.planning._task import admissible
 
 
 def crowd(size: int, seed: int, *, same: bool = False) -> Network:

@@ -2,13 +2,19 @@
 
 import numpy as np
 import pytest
+from tests.planning.inside import (
+    about,
+    admissible,
+    central,
+    holds,
+    hubs,
+    level_of,
+    make_problem,
+    random_choice,
+    side_by_side,
+    start_of,
+)
 from tests.planning.test_flood import crowd
-
-from cotouch.planning._hubs import about, central, hubs
-from cotouch.planning._levels import holds, level_of
-from cotouch.planning._problem import make_problem
-from cotouch.planning._starts import random_choice, side_by_side, start_of
-from cotouch.planning._task import admissible
 
 
 def picks(tries: int, seed: int = 0) -> np.ndarray:

@@ -5,13 +5,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.planning.inside import begun_at, holds, local, make_problem, random_choice, rate, referral
 
 from cotouch.network import Network, rightmost_root
-from cotouch.planning import _local, _referral, plan
-from cotouch.planning._levels import holds
-from cotouch.planning._problem import make_problem
-from cotouch.planning._starts import begun_at, random_choice
-from cotouch.planning._task import rate
+from cotouch.planning import plan
 
 
 def full_network(users: int, seed: int, *, even: bool = False) -> Network:
@@ -67,15 +64,15 @@ def test_what_the_count_leaves_uncertain_is_referred(monkeypatch: pytest.MonkeyP
     problem = make_problem(network, links=20, objective="decay")
     chosen = random_choice(problem.task, np.random.default_rng(0))
     assert chosen is not None
-    monkeypatch.setattr(_local, "rate", lambda *_: (0.0, False))
+    monkeypatch.setattr(local, "rate", lambda *_: (0.0, False))
     exact = rightmost_root(network.with_links(problem.pairs(chosen))).rate
-    assert _local.worked_out(problem, problem.task, chosen, np.zeros(1, np.complex128)) == pytest.approx(exact)
+    assert local.worked_out(problem, problem.task, chosen, np.zeros(1, np.complex128)) == pytest.approx(exact)
     monkeypatch.setattr(type(problem), "reference", lambda *_: None)
-    left = _local._settled(problem, problem.task, _local.Walk(1, chosen=chosen))
+    left = local._settled(problem, problem.task, local.Walk(1, chosen=chosen))
     assert (left.over, left.seen, left.unsure) == (True, (), 1)
     stopped = replace(problem, task=problem.task._replace(stop=np.ones(1, np.int64)))
-    assert _local.referred(stopped, chosen) is None
-    assert _local._settled(stopped, stopped.task, _local.Walk(1, chosen=chosen)).unsure == 0
+    assert local.referred(stopped, chosen) is None
+    assert local._settled(stopped, stopped.task, local.Walk(1, chosen=chosen)).unsure == 0
 
 
 @pytest.mark.parametrize("lost", ["link", "user"])
@@ -86,13 +83,17 @@ def test_of_all_losses_only_the_uncertain_are_worked_out_slowly(lost: Any, monke
     exact, sure = rate(problem.task, chosen, np.full(1, complex(-np.inf, 0.0)), np.inf)
     assert sure
     slow: list[Network] = []
-    count, slowly = _referral.rightmost, _referral.rightmost_root
-    monkeypatch.setattr(_referral, "rightmost_root", lambda left, **more: slow.append(left) or slowly(left, **more))
-    assert _local.referred(problem, chosen) == pytest.approx(exact, rel=1e-9)
+    count, slowly = referral.rightmost, referral.rightmost_root
+    monkeypatch.setattr(
+        "cotouch.planning._referral.rightmost_root", lambda left, **more: slow.append(left) or slowly(left, **more)
+    )
+    assert local.referred(problem, chosen) == pytest.approx(exact, rel=1e-9)
     assert not slow
     uncertain = complex(5.0, 0.0)  # what the count leaves uncertain is not believed
-    monkeypatch.setattr(_referral, "rightmost", lambda *a: count(*a) if len(slow) > 1 else (uncertain, False, 0))
-    assert _local.referred(problem, chosen) == pytest.approx(exact, rel=1e-9)
+    monkeypatch.setattr(
+        "cotouch.planning._referral.rightmost", lambda *a: count(*a) if len(slow) > 1 else (uncertain, False, 0)
+    )
+    assert local.referred(problem, chosen) == pytest.approx(exact, rel=1e-9)
     assert len(slow) == 2
 
 
@@ -108,7 +109,7 @@ def test_a_search_also_begins_where_it_is_told() -> None:
     assert set(problem.pairs(less)) < set(one.best.links)
     assert begun_at(problem, ()) is None
     assert begun_at(make_problem(network, links=19, objective="decay", forbid=[(0, 1)]), [(0, 1)]) is None
-    walks = _local.walked(problem, 1, 0, (near, near), lambda calls: [call(*given) for call, given, _ in calls])
+    walks = local.walked(problem, 1, 0, (near, near), lambda calls: [call(*given) for call, given, _ in calls])
     assert tuple(near.tolist()) in [chosen for _, chosen in next(walks).seen]
 
 
@@ -117,12 +118,12 @@ def test_a_start_that_is_uncertain_is_not_waited_for(monkeypatch: pytest.MonkeyP
     problem = make_problem(full_network(12, 1), links=20, objective="decay")
     chosen = random_choice(problem.task, np.random.default_rng(0))
     assert chosen is not None
-    monkeypatch.setattr(_local, "rate", lambda *_: (0.0, False))
-    monkeypatch.setattr(_local, "referred", lambda *_: pytest.fail("it waits for eigenvalues"))
-    walk = _local._begin(problem, problem.task, _local.Walk(0), 0, (None, chosen))
+    monkeypatch.setattr(local, "rate", lambda *_: (0.0, False))
+    monkeypatch.setattr(local, "referred", lambda *_: pytest.fail("it waits for eigenvalues"))
+    walk = local._begin(problem, problem.task, local.Walk(0), 0, (None, chosen))
     assert (walk.over, walk.seen, walk.unsure) == (False, (), 1)
     assert walk.level > 0.0
-    last = _local.closed(problem, walk)
+    last = local.closed(problem, walk)
     assert (last.over, last.seen, last.unsure) == (True, (), 2)
 
 
@@ -133,16 +134,16 @@ def test_a_swap_that_looks_better_counts_as_what_it_is_referred_to(
     problem = make_problem(full_network(6, 1), links=8, objective="decay")
     task, chosen = problem.task, random_choice(problem.task, np.random.default_rng(0))
     assert chosen is not None
-    walk = _local._settled(problem, task, _local.Walk(1, chosen=chosen))
+    walk = local._settled(problem, task, local.Walk(1, chosen=chosen))
     other = np.sort(np.append(chosen[1:], np.setdiff1d(task.free, chosen)[0]))
 
     def swap(_: object, links: np.ndarray, *__: object) -> tuple[int, int, float, int, int]:
         links[:] = other
-        return _local._UNSURE, 1, -99.0, 1, 1
+        return local._UNSURE, 1, -99.0, 1, 1
 
-    monkeypatch.setattr(_local, "swaps", swap)
-    monkeypatch.setattr(_local, "referred", lambda *_: told)
-    after, _ = _local._swapped(problem, task, replace(walk, value=-1.0), 0, 1)
+    monkeypatch.setattr(local, "swaps", swap)
+    monkeypatch.setattr(local, "referred", lambda *_: told)
+    after, _ = local._swapped(problem, task, replace(walk, value=-1.0), 0, 1)
     assert after.value == (told if taken else -1.0)
     assert after.chosen.tolist() == (other if taken else chosen).tolist()
     assert after.unsure == (told is None)

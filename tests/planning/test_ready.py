@@ -4,8 +4,8 @@
 from collections.abc import Callable
 
 import pytest
+from tests.planning.inside import ready
 
-from cotouch.planning import _ready as ready
 from cotouch.planning import compiles
 
 
@@ -28,5 +28,5 @@ from cotouch.planning import compiles
 def test_only_what_it_runs_counts(
     missing: Callable[..., object], method: str, objective: str, waits: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(ready, "cold", lambda kernel: kernel is missing)
+    monkeypatch.setattr("cotouch.planning._ready.cold", lambda kernel: kernel is missing)
     assert compiles(method, objective) is waits  # type: ignore[arg-type]

@@ -2,12 +2,11 @@
 
 import numpy as np
 import pytest
+from tests.planning.inside import bound_of, make_problem
 from tests.planning.support import five_users
 
 from cotouch import plan
 from cotouch.network import Network, connected_graphs, rightmost_root, rule_damping
-from cotouch.planning._problem import make_problem
-from cotouch.planning._relaxation import bound_of
 
 
 def alike(size: int, seed: int, *, clocks: bool = False) -> Network:

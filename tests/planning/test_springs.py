@@ -5,12 +5,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.network.support import five_users, pairs, random_network, uniform
+from tests.planning.inside import Search
 from tests.thorough import examples
 
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.network import Network, path, rightmost_root, rule_damping
 from cotouch.planning import tune_springs
-from cotouch.planning._spring_search import Search
 
 OBJECTS = [
     {"mass": 1.0, "damping": 0.0, "stiffness": 0.0},

@@ -4,13 +4,10 @@ from itertools import combinations
 
 import numpy as np
 import pytest
+from tests.planning.inside import admissible, between, hopeless, make_problem, period_of, pulls, rate, unrank
 from tests.planning.support import GRID, small_network
 
 from cotouch.network import consensus_lags, cycle_period
-from cotouch.planning._enumerate import unrank
-from cotouch.planning._judge import between, hopeless, pulls
-from cotouch.planning._problem import make_problem
-from cotouch.planning._task import admissible, period_of, rate
 
 COMMON = {"time_unit": GRID}
 

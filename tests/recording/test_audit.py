@@ -7,15 +7,13 @@ from typing import Any
 import numpy as np
 import pytest
 from tests.recording.driven import Driven, pulled
+from tests.recording.inside import align, findings_of, motions
 from tests.simulation.stepped import Stepped
 
 from cotouch.body import lattice, point
 from cotouch.errors import RecordingError
 from cotouch.peer import LinkState, Peer, Sample, StepReport
 from cotouch.recording import Audit, audit, read_recording
-from cotouch.recording._findings import findings_of
-from cotouch.recording._links import align
-from cotouch.recording._motion import motions
 from cotouch.scenario import Scenario
 from cotouch.simulation import prepare
 

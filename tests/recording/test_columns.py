@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.recording.inside import SCALARS, STATES, VECTORS, Batch, description, pack, unpack
 from tests.thorough import examples
 
 from cotouch.errors import RecordingError
 from cotouch.peer import LinkState
-from cotouch.recording._columns import SCALARS, STATES, VECTORS, Batch, description, pack, unpack
 
 
 def batch(steps: int, links: int, states: int, seed: int = 0) -> Batch:

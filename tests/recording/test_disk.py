@@ -11,11 +11,11 @@ from pathlib import Path
 
 import pytest
 from mcap.writer import MCAP0_MAGIC
+from tests.recording.inside import RawFile, make
 from tests.recording.test_recorder import header, report, state
 
 from cotouch.errors import RecordingError
 from cotouch.recording import NewFile, Recorded, Recorder, audit, read_recording, recordings_dataset
-from cotouch.recording._disk import RawFile, make
 
 STEPS, BATCH = 30, 5
 

@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 from mcap.reader import make_reader
 from mcap.records import ChunkIndex
+from tests.recording.inside import ChunkIndices
 from tests.recording.test_recorder import header, report, state
 
-from cotouch.recording import Recorder, _file, read_recording
-from cotouch.recording._file import ChunkIndices
+from cotouch.recording import Recorder, read_recording
 
 
 def recorded(path: Path, steps: int = 60) -> Path:
@@ -42,7 +42,7 @@ def test_the_summary_is_whole(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
 
 
 def test_a_writer_that_keeps_its_index_elsewhere_is_left_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(_file, "_INDICES", "not there")
+    monkeypatch.setattr("cotouch.recording._file._INDICES", "not there")
     path = recorded(tmp_path / "a.mcap")
     assert len(indices(path)) >= 20
     assert read_recording(path).steps == 60

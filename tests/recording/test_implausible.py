@@ -5,11 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from tests.recording.driven import Driven
+from tests.recording.inside import SCALARS, Batch, recording_of
 
 from cotouch.errors import RecordingError
 from cotouch.recording import Audit, Recording, audit, read_recording
-from cotouch.recording._columns import SCALARS, Batch
-from cotouch.recording._recording import recording_of
 
 _NO_ENERGY = {"index", "end", "T", "iterations"}
 

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
+from tests.recording.inside import RecordedMaterial
 
 from cotouch.body import Placed, lattice, rigid_box, together
 from cotouch.mechanics import Between, Obstacle, Plane, Solid, model
-from cotouch.recording._material import RecordedMaterial
 
 
 @pytest.mark.parametrize("own", [False, True])

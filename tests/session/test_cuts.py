@@ -7,10 +7,10 @@ from typing import ClassVar
 
 import numpy as np
 import pytest
+from tests.members.inside import TOPIC, SharedCuts, Statement
 from tests.session.world import Person, World, entropy
 
 from cotouch.members import Entry, Former, NameOwner, Roster, SessionFile, SharedModel, read, write
-from cotouch.members._shared_cuts import TOPIC, SharedCuts, Statement
 from cotouch.recording import audit, read_recording
 from cotouch.samples import Identity, PathLaw
 

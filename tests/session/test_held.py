@@ -3,9 +3,10 @@
 from types import SimpleNamespace
 from typing import Any, cast
 
+from tests.session.inside import HeldDevice
+
 from cotouch.haptics import ServoLink
 from cotouch.members import MOST_NOTICE, Status
-from cotouch.session._held import HeldDevice
 
 
 def device(sentences: list[list[str]]) -> ServoLink:

@@ -7,13 +7,12 @@ from pathlib import Path
 
 import pytest
 from tests.members.test_succession import BEN, HOST, MEMBERS, ROOT, api, root
+from tests.session.inside import KeptHost, KeptIdentity, identity_of, keep_host, kept_host
 from tests.session.world import entropy
 
 from cotouch.control import Endpoint, Invitation
 from cotouch.errors import OutputError, SessionError, TransportError
 from cotouch.members import Part, SessionFile
-from cotouch.session._join import _identity
-from cotouch.session._keep import KeptHost, KeptIdentity, keep_host, kept_host
 
 SESSION = SessionFile.from_toml("[session]\nusers = 3\n[body]\nmass = 0.5\n")
 INVITATION = Invitation.make(
@@ -104,7 +103,7 @@ def test_a_key_that_cannot_be_kept_keeps_nobody_out(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     warned: list[str] = []
     part = Part(name="Ann", version="test", identities=tmp_path / "file")
-    with _identity(INVITATION, part, warned.append) as identity:
+    with identity_of(INVITATION, part, warned.append) as identity:
         assert len(identity.public) == 32
     assert len(warned) == 1
     assert warned[0].endswith("after a crash, use another name")

@@ -1,11 +1,11 @@
 """What is compiled before anybody waits, and by whom."""
 
 import numba
+from tests.session.inside import warm_copy
 
 from cotouch.hands import CommandedHand
 from cotouch.mechanics import contact_step
 from cotouch.members import SessionFile, SharedModel, Slot
-from cotouch.session._warm import _copy
 
 BLOCK = """
 [session]
@@ -22,7 +22,7 @@ ground_stiffness = 50.0
 def test_what_another_process_compiles_ahead_is_what_a_step_with_tools_calls() -> None:
     session = SessionFile.from_toml(BLOCK)
     replica = SharedModel.build(session)
-    hand, peer = _copy(replica, lambda model: CommandedHand(Slot.of(session, replica, 0, model)))
+    hand, peer = warm_copy(replica, lambda model: CommandedHand(Slot.of(session, replica, 0, model)))
     assert hand.tools is not None
     hand.before(1e-3, 1e-3)
     peer.step(1e-3, 1e-3)

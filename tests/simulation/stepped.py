@@ -2,9 +2,10 @@
 
 from collections.abc import Callable
 
+from tests.simulation.inside import World
+
 from cotouch.peer import Peer, Sample, StepReport
 from cotouch.simulation import Prepared
-from cotouch.simulation._peers import _World
 
 
 class Stepped:
@@ -15,7 +16,7 @@ class Stepped:
     """
 
     def __init__(self, prepared: Prepared) -> None:
-        self._world = _World(prepared)
+        self._world = World(prepared)
         self.peers: list[Peer] = self._world.peers
 
     def run(self, after: Callable[[Peer, StepReport, float, float], None]) -> None:

@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
+from tests.simulation.inside import draw, resent
 
 from cotouch.scenario import Channel
-from cotouch.simulation._channel import draw, resent
 
 SEED = (7, 2, 0, 1)
 MANY = 200_000

@@ -5,13 +5,13 @@ from typing import Any
 import numpy as np
 import pytest
 from tests.laws.scenes import AS_LAW, PASSIVE, rough, two
+from tests.simulation.inside import check_codec
 
 from cotouch import simulate
 from cotouch.errors import ScenarioError
 from cotouch.laws import PAID, Law, laws
 from cotouch.scenario import Scenario
 from cotouch.simulation import prepare, run_batch, run_prepared
-from cotouch.simulation._coding import check_codec
 
 CODEC = {"deadband": 0.2, "quantum": 1e-4, "hold": 6}
 

@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.simulation.inside import free_memory, needed, refuse_beyond
 
 from cotouch.body import chain, lattice
 from cotouch.errors import BodyError, ScenarioError
 from cotouch.scenario import Scenario
 from cotouch.simulation import prepare, simulate
-from cotouch.simulation._memory import free_memory, needed, refuse_beyond
 
 FIVE_USERS = Path(__file__).parents[2] / "examples" / "five-users.toml"
 PAIR: dict[str, Any] = {"users": ["Ann", "Ben"], "spring": [[0, 50], [50, 0]], "delay": [[0, 0.03], [0.05, 0]]}

@@ -6,13 +6,13 @@ from typing import Any
 import numpy as np
 import pytest
 import xarray as xr
+from tests.simulation.inside import TOOL_UNITS, UNITS
 
 from cotouch.body import chain
 from cotouch.errors import OutputError, ScenarioError
 from cotouch.network import Network
 from cotouch.scenario import Scenario
 from cotouch.simulation import dataset, prepare, run_batch, save, simulate, tables
-from cotouch.simulation._result import _UNITS, TOOL_UNITS
 
 PAIR: dict[str, Any] = {
     "users": ["Ann", "Ben"],
@@ -48,7 +48,7 @@ def test_dimensions_and_units(run: xr.Dataset) -> None:
     assert run["axis"].values.tolist() == ["x", "y"]
     assert run["direction"].values.tolist() == ["1<-2", "2<-1"]
     assert run["link"].values.tolist() == ["1-2"]
-    assert set(run.data_vars) == {name for name in _UNITS if not name.startswith("rigid_")} - set(TOOL_UNITS) - {
+    assert set(run.data_vars) == {name for name in UNITS if not name.startswith("rigid_")} - set(TOOL_UNITS) - {
         "frame_position",
         *_CLOSED,
         *_WORLD,
@@ -57,7 +57,7 @@ def test_dimensions_and_units(run: xr.Dataset) -> None:
         "tick_time",
     }
     for name in run.data_vars:
-        assert run[name].attrs["units"] == _UNITS[str(name)][0]
+        assert run[name].attrs["units"] == UNITS[str(name)][0]
         assert run[name].attrs["long_name"]
 
 

@@ -2,11 +2,11 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from tests.simulation.inside import ages, elapsed, indexed, newest, ring_size, self_paced
 
 from cotouch.errors import ScenarioError
 from cotouch.scenario import Scenario
 from cotouch.simulation import schedule
-from cotouch.simulation._timing import ages, elapsed, indexed, newest, ring_size, self_paced
 
 PAIR = {"users": ["a", "b"], "spring": [[0, 50], [50, 0]], "delay": [[0, 0.03], [0.05, 0]]}
 times = st.lists(st.floats(1e-3, 0.1), min_size=1, max_size=40).map(np.cumsum)

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 import xarray as xr
+from tests.simulation.inside import TOOL_UNITS
 
 from cotouch.body import lattice, point
 from cotouch.device import PRESETS
@@ -13,7 +14,6 @@ from cotouch.errors import BodyError, CotouchError, ScenarioError
 from cotouch.mechanics import opening_energy, virtual_coupling_limit
 from cotouch.scenario import Scenario, SimulatedDeviceTable, ToolHand, ToolTable, resolve_penetration
 from cotouch.simulation import animation, felt, figures, frame_rate, prepare, run_batch, simulate, summary
-from cotouch.simulation._tool_result import UNITS as TOOL_UNITS
 
 PAIR: dict[str, Any] = {"users": ["Ann", "Ben"], "spring": [[0, 20], [20, 0]], "delay": [[0, 0.01], [0.02, 0]]}
 # One body for all runs, so that its kernels are compiled once.

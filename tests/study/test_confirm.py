@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 from tests.network.support import five_users, pairs, random_network, uniform
+from tests.study.inside import slowest
 
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.network import path, rightmost_root
 from cotouch.planning import tune_springs
 from cotouch.study import confirmed
-from cotouch.study._confirm import _slowest
 
 BEST = "12 14 23 24 34 45"
 
@@ -44,7 +44,7 @@ def test_the_slowest_of_several_exponentials():
             np.exp(-0.4 * time) * (1 + time) - np.exp(-0.2 * time) * np.sin(3 * time),
         ]
     )
-    assert _slowest(signals, 0.05) == pytest.approx(-0.2, abs=1e-6)
+    assert slowest(signals, 0.05) == pytest.approx(-0.2, abs=1e-6)
 
 
 @pytest.mark.parametrize("other", [0.02, 2e-3, -0.02, 40.0])
@@ -53,7 +53,7 @@ def test_powers_that_leave_the_range_of_floating_point(other):
     samples = np.arange(300)
     extra = other ** (samples if abs(other) < 1 else samples - 299.0)
     signals = np.array([np.exp(-0.01 * samples) + extra, np.exp(-0.01 * samples) - 2 * extra])
-    assert _slowest(signals, 0.05) == pytest.approx(-0.2, abs=1e-9)
+    assert slowest(signals, 0.05) == pytest.approx(-0.2, abs=1e-9)
 
 
 def test_refusals():
@@ -66,4 +66,4 @@ def test_refusals():
     with pytest.raises(UnsupportedError, match="at most 2000000 are simulated"):
         confirmed(uniform(path(2), 2, delay=1e-6), -1.0)
     with pytest.raises(UnsupportedError, match="no decay"):
-        _slowest(np.zeros((2, 300)), 0.1)
+        slowest(np.zeros((2, 300)), 0.1)

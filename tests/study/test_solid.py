@@ -7,15 +7,27 @@ import matplotlib as mpl
 import numpy as np
 import pytest
 from tests.network.support import five_users, pairs
+from tests.study.inside import (
+    BOOK,
+    DEVICE,
+    RELEASE,
+    SHAPE,
+    SMALL,
+    Blocks,
+    Solid,
+    blocks,
+    chapter,
+    claims,
+    collaboration,
+    copies,
+    energies,
+    scene,
+    solid,
+    warm_up,
+)
 
 from cotouch import drawing
 from cotouch.simulation import prepare, run_batch
-from cotouch.study import _solid as study
-from cotouch.study import _solid_charts as charts
-from cotouch.study._blocks import _BOOK, _DEVICE, Blocks, blocks
-from cotouch.study._report_solid import solid as chapter
-from cotouch.study._scene import RELEASE, SMALL, scene
-from cotouch.study._solid import Solid, collaboration, solid, warm_up
 
 BEST = five_users().with_links(pairs("12 14 23 24 34 45"))
 
@@ -45,8 +57,8 @@ class TestBlocks:
         seen = blocks(prepared, outcome)
         users = np.arange(5)
         last = outcome.record.users[:, users, outcome.taken]
-        losses = sum(last[_BOOK[name]].sum() for name in ("body_loss", "local_loss", "extra_loss"))
-        energy = last[_BOOK["kinetic"]].sum() + last[_BOOK["elastic"]].sum()
+        losses = sum(last[BOOK[name]].sum() for name in ("body_loss", "local_loss", "extra_loss"))
+        energy = last[BOOK["kinetic"]].sum() + last[BOOK["elastic"]].sum()
         receiver = prepared.schedule.slots.receiver
         aged = outcome.record.slots[1][np.arange(receiver.size), outcome.taken[receiver]].sum()
         springs = prepared.scenario.network.spring
@@ -69,7 +81,7 @@ class TestBlocks:
         """Five millijoules more to the body than the proxy gave."""
         prepared, outcome = run
         users = np.array(outcome.record.users)
-        users[_BOOK["touch_work"], 1, 500:] += 5e-3
+        users[BOOK["touch_work"], 1, 500:] += 5e-3
         broken = replace(outcome, record=outcome.record._replace(users=users))
         assert blocks(prepared, outcome).given <= 1e-12
         assert blocks(prepared, broken).given > 1e-3
@@ -94,7 +106,7 @@ class TestBlocks:
         assert outcome.tools is not None
         # Without that it would have given something: the account of this run is not all negative anyway.
         ledger = np.array(outcome.tools.device_ledger)
-        ledger[_DEVICE["viscous_loss"]] -= 1.0
+        ledger[DEVICE["viscous_loss"]] -= 1.0
         unpaid = blocks(prepared, replace(outcome, tools=outcome.tools._replace(device_ledger=ledger)))
         assert unpaid.couplings[3].excess > 0.5
 
@@ -102,7 +114,7 @@ class TestBlocks:
         prepared, outcome = run
         assert outcome.tools is not None
         ledger = np.array(outcome.tools.device_ledger)
-        ledger[_DEVICE["human"]] *= -1.0
+        ledger[DEVICE["human"]] *= -1.0
         assert (
             blocks(prepared, replace(outcome, tools=outcome.tools._replace(device_ledger=ledger))).human_margin < -0.1
         )
@@ -112,7 +124,7 @@ class TestBlocks:
         prepared, outcome = run
         assert outcome.tools is not None
         ledger = np.array(outcome.tools.device_ledger)
-        ledger[_DEVICE["residual"], 2, 7] = -1e-3
+        ledger[DEVICE["residual"], 2, 7] = -1e-3
         broken = blocks(prepared, replace(outcome, tools=outcome.tools._replace(device_ledger=ledger)))
         assert broken.device_residual > 1e-4
 
@@ -162,7 +174,7 @@ class TestSolid:
         position = np.array(outcome.position)
         position[0] += 0.01
         broken = collaboration(prepared, replace(outcome, position=position))
-        assert not study.claims([broken])[-1][0].holds
+        assert not claims([broken])[-1][0].holds
 
     def test_far_below_the_rule_the_object_makes_energy(self, found: Solid):
         below: Blocks = found.below
@@ -183,7 +195,7 @@ class TestSolid:
         assert numbers["below"]["object_least_work_j"] < 0.0
 
     def test_the_full_block_has_a_thousand_nodes(self):
-        assert np.prod(study.SHAPE) >= 1000
+        assert np.prod(SHAPE) >= 1000
 
     def test_warming_up_compiles_what_the_chapter_runs(self):
         """It runs in a process whose errors nobody sees."""
@@ -204,14 +216,14 @@ class TestChapter:
 
     def test_lines_of_the_energies_are_the_blocks(self, found: Solid):
         with drawing.style():
-            drawn = charts.energies(found)
+            drawn = energies(found)
         lines = {line.get_label(): line for line in drawn.axes[0].get_lines()}
         assert lines["shared object"].get_ydata()[-1] == pytest.approx(found.runs["constant"].blocks.object[-1])
         assert lines["work of the hands"].get_ydata()[-1] == pytest.approx(found.runs["constant"].blocks.human[-1])
 
     def test_pictures_show_every_copy_in_one_scale(self, found: Solid):
         with drawing.style():
-            drawn = charts.copies(found)
+            drawn = copies(found)
         assert len(drawn.axes) == 6
         spans = [np.ptp(panel.get_xlim()) for panel in drawn.axes]
         assert spans == pytest.approx([spans[0]] * 6)

@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy import stats
+from tests.study.inside import ranks_chart, worst_tick
 
 from cotouch.errors import OutputError
 from cotouch.network import Network, connected_graphs, mixing, rightmost_root
 from cotouch.scenario import Scenario
 from cotouch.study import Reproduction, five_users, reproduce
-from cotouch.study._tick import worst_tick
 
 # theory.md, section 6
 BEST, WORST, MISJUDGED = "12 14 23 24 34 45", "13 14 23 25 34 35", "13 14 23 24 35 45"
@@ -354,10 +354,9 @@ class TestReport:
     def test_no_word_stands_on_another_or_a_dot_in_the_figure_of_all_choices(self, found: Reproduction) -> None:
         """Legends and dots, in pixels as they are drawn."""
         from cotouch import drawing
-        from cotouch.study._charts import ranks
 
         with drawing.style():
-            figure = ranks(found.topologies, found.errata)
+            figure = ranks_chart(found.topologies, found.errata)
             figure.canvas.draw()
             for panel in figure.axes:
                 named = [label.get_window_extent() for label in panel.get_xticklabels(which="both") if label.get_text()]

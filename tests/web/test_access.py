@@ -1,8 +1,7 @@
 """By which names the server is called, from which pages, and how often."""
 
 import pytest
-
-from cotouch.web._access import Access, Allowance, host_of
+from tests.web.inside import Access, Allowance, host_of
 
 LOCAL = Access(listen="127.0.0.1", token="right")
 EVERYWHERE = Access(listen="0.0.0.0", token="right")

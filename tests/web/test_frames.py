@@ -5,12 +5,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from tests.web.fake_session_api import made_body
+from tests.web.inside import FrameEncoder, beside_nodes, nodes_of_points
 from tests.web.reader import read_frame
 
 from cotouch.body import Placed, ToolBody, chain, rigid_box, together
 from cotouch.observers import CopyView, HandView
-from cotouch.web._frames import FrameEncoder
-from cotouch.web._scene import beside_nodes, nodes_of_points
 
 SOFT = made_body("3d")
 

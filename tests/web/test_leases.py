@@ -5,15 +5,11 @@ from collections.abc import Awaitable, Callable
 
 import pytest
 from tests.web.fake_session_api import FakeSessionApi, Kind
+from tests.web.inside import MOST_PAGES, VERSION, Access, Do, Hub, Page, PointerMessage, held_tools
 from tests.web.reader import pointer
 
 from cotouch.errors import PageError
 from cotouch.web import Hello
-from cotouch.web._access import Access
-from cotouch.web._hub import MOST_PAGES, Hub
-from cotouch.web._page import Page
-from cotouch.web._protocol import VERSION, Do, PointerMessage
-from cotouch.web._scene import held_tools
 
 GRAB, FREE, POSE = 1, 2, 4
 LONG, SHORT = 3.1, 0.2  # a page that is silent for so long hangs, or not [s]

@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.thorough import examples
 from tests.web.fake_session_api import FakeSessionApi
+from tests.web.inside import VERSION, Access, FrameReceipt, Hub, Page
 from tests.web.reader import ack, pointer
 from tests.web.visitor import Visitor, visit
 from websockets.exceptions import ConnectionClosed
@@ -19,10 +20,6 @@ from websockets.exceptions import ConnectionClosed
 from cotouch.errors import SessionError
 from cotouch.observers import Cut, Pointer
 from cotouch.web import Hello, PageServer
-from cotouch.web._access import Access
-from cotouch.web._hub import Hub
-from cotouch.web._page import Page
-from cotouch.web._protocol import VERSION, FrameReceipt
 
 WORDS = ["hand", "impair", "cut", "kill", "revive", "links", "damping", "record", "control"]
 

@@ -8,12 +8,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.thorough import examples
+from tests.web.inside import Do, FrameReceipt, PointerMessage, read_binary, read_text
 from tests.web.reader import ack, pointer
 
 from cotouch.errors import PageError
 from cotouch.observers import ChooseLinks
 from cotouch.web import Hello
-from cotouch.web._protocol import Do, FrameReceipt, PointerMessage, read_binary, read_text
 
 single = st.floats(width=32, allow_nan=True, allow_infinity=True)
 

@@ -1,0 +1,9 @@
+"""What these tests take from inside the room: nothing else here imports its private modules."""
+
+from cotouch.cli import _page as page_module
+from cotouch.cli._console import Console
+from cotouch.cli._progress import Progress
+from cotouch.cli._session import stop_signals
+from cotouch.cli._table import view
+
+__all__ = ["Console", "Progress", "page_module", "stop_signals", "view"]

@@ -1,0 +1,24 @@
+"""What these tests take from inside the room: nothing else here imports its private modules."""
+
+from cotouch.control import _gatekeeper as gatekeeper
+from cotouch.control._introducer import Introducer, answering
+from cotouch.control._invitation import _check as check_of
+from cotouch.control._listening import is_ours
+from cotouch.control._pairs import PairTags
+from cotouch.control._sockets import sockets, tend_links
+from cotouch.control._zenoh import open_session
+from cotouch.control._zenoh_keys import sender_of, start_of
+
+__all__ = [
+    "Introducer",
+    "PairTags",
+    "answering",
+    "check_of",
+    "gatekeeper",
+    "is_ours",
+    "open_session",
+    "sender_of",
+    "sockets",
+    "start_of",
+    "tend_links",
+]
