@@ -14,7 +14,6 @@ from cotouch.drivers._rotation import quaternion_of
 from cotouch.drivers._touch import _ALIVE as alive
 from cotouch.drivers._touch import Touch
 from cotouch.drivers._touch import _quaternion as quaternion
-from cotouch.haptics._mailboxes import OrderWriter
 
 __all__ = [
     "SPECS",
@@ -23,7 +22,6 @@ __all__ = [
     "Gamepad",
     "Grip",
     "Inverse3",
-    "OrderWriter",
     "RecordedHand",
     "Touch",
     "alive",

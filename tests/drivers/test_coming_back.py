@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 from tests.drivers.driving import PUSH
-from tests.drivers.inside import ForceDimension, Inverse3, OrderWriter, Touch
+from tests.drivers.inside import ForceDimension, Inverse3, Touch
 from tests.drivers.standin import Board, Fault, Service
+from tests.haptics.inside import OrderWriter
 
 from cotouch.haptics import (
     Cause,

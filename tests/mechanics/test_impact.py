@@ -127,7 +127,7 @@ def test_of_a_hit_in_two_copies_links_take_the_momentum_that_they_give(spring: f
         middles = []
         for k, copy in enumerate(copies):
             other, state, model = samples[1 - k], copy.state, copy.model
-            links = Links(np.array([spring]), np.zeros(1, np.int32), np.zeros(1, np.int64), other)
+            links = Links(np.array([spring]), np.zeros(1, np.int32), np.zeros(1, np.int64), other[None])
             start, momentum, energy, work = state.position.copy(), copy.momentum(), copy.energy, np.zeros(1)
             args = np.zeros(1), np.zeros(1), T, -1, copy.work, copy.ledger, work, *copy.solver, model.lanes
             closed_step(model.operator, copy.force, state, links, copy.ports, *args)

@@ -127,7 +127,7 @@ def test_what_slides_as_a_whole_is_not_closed_by_what_it_hardly_does_within(fric
     points, corners = boxes((3, 3, 3), 0.02)
     points[13] += [0.004, -0.003, 0.002]  # no two elements alike
     body = body_from_tetrahedra(
-        (points, corners), unit="m", model="corotated", young=5e4, density=800.0, rayleigh_stiffness=2e-3
+        (points, corners), unit="m", frame="floating", young=5e4, density=800.0, rayleigh_stiffness=2e-3
     )
     slope = np.arctan(0.44)
     heavy = body.with_gravity((G * np.sin(slope), 0.0, -G * np.cos(slope)))

@@ -73,7 +73,7 @@ def test_what_only_falls_is_judged_by_the_energy_that_its_weight_gives() -> None
         Scenario.make(
             network={"users": ["Ann"], "spring": [[0]], "delay": [[0]]},
             body=DIE,
-            world={"gravity": [0, 0, -9.81]},
+            world={"gravity": [0, 0, -9.81], "planes": [{"point": [0, 0, -1e3]}]},  # far below, as in test_rigid.py
             steps={"duration": 0.5},
             record={"nodes": "all"},
         )
