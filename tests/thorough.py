@@ -77,8 +77,8 @@ QUICK: Mapping[str, tuple[str, ...]] = {
     ),
     "mechanics/test_cutting.py::test_what_is_left_moves_on_in_balance": ("spring-network", "cells", "neo-hookean"),
     "simulation/test_long_steps.py::test_the_balance_is_exact": (
-        "cells cells-kinds2-0.01-1",
-        "cells cells-kinds3-0.04-1",
+        "die cells-kinds2-0.04-4",
+        "die cells-kinds3-0.04-5",
     ),
     "simulation/test_bodies.py::test_several_are_cut_in_every_world_to_the_same_bits": ("peers",),
     "simulation/test_bodies.py::test_peers_come_to_the_same_bits": ("paid",),

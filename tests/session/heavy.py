@@ -11,6 +11,11 @@ SLICK = """
 [[world.planes]]
 stiffness = 1e6
 """
+# Far below: what meets nothing moves by the machine code of what does.
+FAR = """
+[[world.planes]]
+point = [0, 0, -1e3]
+"""
 MASS, WEIGHT = 0.3, 0.3 * 9.81
 _LIFT = """
 [[tools]]

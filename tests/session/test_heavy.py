@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from tests.members.attack import SPRING, play
 from tests.members.lie import Lie
-from tests.session.heavy import LIFT, SLICK, WEIGHT, session
+from tests.session.heavy import FAR, LIFT, SLICK, WEIGHT, session
 from tests.session.world import Person, World
 
 from cotouch.errors import ScenarioError
@@ -56,7 +56,7 @@ def test_falls_and_bounces_as_closed_forms_say() -> None:
 
 def test_what_falls_from_rest_is_judged_by_the_energy_that_its_weight_gives(tmp_path: Path) -> None:
     """Until it meets something the sum of its energies is rounding alone."""
-    world = World(session(world=""), folder=tmp_path, tick=2e-3)
+    world = World(session(world=FAR), folder=tmp_path, tick=2e-3)
     ann = world.join("Ann", moves=False)
     world.until(lambda: ann.member.replica is not None and ann.copy.peer is not None, 2.0)
     world.run(0.4)

@@ -23,6 +23,13 @@ CELLS: dict[str, Any] = {
     "stiffness": 100.0,
     "damping": 0.02,
 }
+DIE: dict[str, Any] = {
+    "kind": "box",
+    "size": SIDES.tolist(),
+    "mass": 0.1,
+    "resolution": 1,
+    "at": (0.5 * SIDES).tolist(),
+}
 BALL: dict[str, Any] = {"radius": 0.008, "stiffness": 1000.0, "friction": 0.5}
 PLANE = {"point": [0, 0, -1e-4], "stiffness": 1e7, "friction": 0.4}
 
@@ -82,6 +89,8 @@ def play(bodies: list[dict[str, Any]], kinds: list[Any], T: float, seed: int) ->
     [
         ("solid", [ball], 0.02, 0),
         ("solid", [ball, grasp], 0.02, 3),
+        ("die cells", [ball], 0.04, 4),
+        ("die cells", [ball, grasp], 0.04, 5),
         ("cells cells", [ball], 0.01, 1),
         ("cells cells", [grasp], 0.04, 1),
         ("solid solid", [grasp], 0.04, 1),
@@ -91,7 +100,7 @@ def play(bodies: list[dict[str, Any]], kinds: list[Any], T: float, seed: int) ->
 )
 def test_the_balance_is_exact(solid: dict[str, Any], bodies: str, kinds: list[Any], T: float, seed: int) -> None:
     """What went astray, by 1e12 N or to no number at all, is not closed by the rounding of that."""
-    tables = {"solid": solid, "cells": CELLS}
+    tables = {"solid": solid, "cells": CELLS, "die": DIE}
     run = play([tables[name] for name in bodies.split()], kinds, T, seed)
     assert run.attrs["energy_residual"] <= 1e-12
     assert np.isfinite(run["kinetic"].values).all()
