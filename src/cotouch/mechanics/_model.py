@@ -18,7 +18,17 @@ from cotouch.mechanics._force_together import Together, fresh_together
 from cotouch.mechanics._link_weight import fit_weight
 from cotouch.mechanics._materials import cut_law, force_of, outline_of
 from cotouch.mechanics._meeting import Between
-from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, cuttable, halves, mixed
+from cotouch.mechanics._operator import (
+    DAMPING,
+    MASS,
+    STIFFNESS,
+    WEIGHTS,
+    Operator,
+    cuttable,
+    halves,
+    mixed,
+    off_diagonal,
+)
 from cotouch.mechanics._state import Workspace, workspace
 from cotouch.mechanics._tool_bodies import link_weights, rigid_rows
 from cotouch.mechanics._vector import WIDTHS
@@ -271,11 +281,7 @@ def _operator(matrices: list[sp.csr_array], copies: int, split: int) -> Operator
         return _assembled(
             copies, split, diagonals, np.zeros(rows + 1, np.int32), np.zeros(0, np.int32), np.zeros((0, 0)), nothing
         )
-    off: list[sp.csr_array] = []
-    for matrix in matrices:
-        rest = sp.csr_array(matrix - sp.diags_array(matrix.diagonal()))
-        rest.eliminate_zeros()
-        off.append(rest)
+    off = [off_diagonal(matrix) for matrix in matrices]
     pattern = sp.csr_array(sum((abs(m) for m in off[1:]), start=abs(off[0])))
     pattern.sort_indices()
     # Adding 1 at every place of the pattern keeps each matrix's zeros stored, so that all have the same entry order.

@@ -187,15 +187,20 @@ def taken_off(op: Operator, T: float, i: int) -> float:
     return off
 
 
+def off_diagonal(matrix: sp.csr_array) -> sp.csr_array:
+    """What is beside the diagonal, without stored zeros."""
+    rest = sp.csr_array(matrix - sp.diags_array(matrix.diagonal()))
+    rest.eliminate_zeros()
+    return rest
+
+
 def halves(matrices: list[sp.csr_array]) -> tuple[Int | None, int]:
     """The order that puts rows into two halves with entries only across, and where the second starts; or (None, 0).
 
     Lattices, chains and trees have such halves. They are found in the graph that has every row twice, once for each
     half, and an edge across for every entry: there the two of a row are connected exactly if a cycle is odd.
     """
-    pattern = sp.csr_array(sum((abs(m) for m in matrices[1:]), start=abs(matrices[0])))
-    pattern = sp.csr_array(pattern - sp.diags_array(pattern.diagonal()))
-    pattern.eliminate_zeros()
+    pattern = off_diagonal(sum((abs(m) for m in matrices[1:]), start=abs(matrices[0])))
     if pattern.nnz == 0:
         return None, 0
     rows = pattern.shape[0]

@@ -102,14 +102,12 @@ class FreshestLink:
         self.current = sample
         return True
 
-    def ready(self, k: int) -> bool:
+    def ready(self, k: int) -> bool:  # noqa: ARG002
         """Always: a step never waits."""
-        del k
         return True
 
-    def choose(self, k: int) -> Sample:
+    def choose(self, k: int) -> Sample:  # noqa: ARG002
         """The newest sample."""
-        del k
         return self.current
 
 
