@@ -3,12 +3,14 @@
 import json
 import math
 import sys
-from collections.abc import Callable, Generator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
 if TYPE_CHECKING:
     from rich.console import Console
+    from rich.table import Table
 
 from cotouch.errors import printable
 
@@ -71,6 +73,32 @@ def print_note(console: "Console", colour: str, text: str) -> None:
     row = Table.grid(padding=(0, 1))
     row.add_row(dot, text)
     console.print(row, highlight=False)
+
+
+def print_written(console: "Console", files: Iterable[Path]) -> None:
+    """Prints which files were written.
+
+    Args:
+        console: to print on.
+        files: of them.
+    """
+    for file in files:
+        console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
+
+
+def new_table(*headings: str, title: str | None = None, text: int = 1) -> "Table":
+    """A table with a line below its headings only.
+
+    Args:
+        headings: of its columns.
+        title: above it; None: nothing.
+        text: how many columns from the left are text; the others are numbers.
+    """
+    from rich.box import SIMPLE_HEAD
+    from rich.table import Column, Table
+
+    columns = [Column(heading, justify="left" if at < text else "right") for at, heading in enumerate(headings)]
+    return Table(*columns, box=SIMPLE_HEAD, title=title, title_justify="left", title_style="bold")
 
 
 @contextmanager
