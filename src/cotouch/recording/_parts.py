@@ -1,15 +1,12 @@
 """Several bodies in a recording: each as one of its own, where it is, and what they do to each other."""
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from cotouch.arrays import Array, Float
 from cotouch.body import Body, Part, ToolBody, joined
-
-if TYPE_CHECKING:  # reading a recording needs no kernels
-    from cotouch.mechanics import Between
+from cotouch.mechanics import Between
 
 _TURN, _SHIFT, _REST, _BETWEEN = "part_turn", "part_shift", "rest", "between"
 # Of tools: whose each is, from 1, in how many copies it is one, and where it is held; all 0 of what is shared.
@@ -18,7 +15,7 @@ _TOOL, _GRIPS = "part_tool", "grips"
 _MOST, _ROUNDING = 1000, 1e-9
 
 
-def parts_arrays(body: Body, between: "Between | None", own: Callable[[Body], dict[str, Array]]) -> dict[str, Array]:
+def parts_arrays(body: Body, between: Between | None, own: Callable[[Body], dict[str, Array]]) -> dict[str, Array]:
     """Several bodies by name.
 
     Args:
@@ -47,7 +44,7 @@ def parts_arrays(body: Body, between: "Between | None", own: Callable[[Body], di
 
 def parts_of_arrays(
     arrays: Mapping[str, Array], one: Callable[[dict[str, Array], Float], Body]
-) -> "tuple[Body, Between | None]":
+) -> tuple[Body, Between | None]:
     """The inverse of `parts_arrays`.
 
     Args:
@@ -58,8 +55,6 @@ def parts_of_arrays(
         ValueError: they are of no bodies.
         BodyError: of wrong ones.
     """
-    from cotouch.mechanics import Between
-
     turns, shifts = (np.asarray(arrays[name], dtype=np.float64) for name in (_TURN, _SHIFT))
     count = turns.shape[0]
     if turns.shape != (count, 3, 3) or shifts.shape != (count, 3) or not 1 <= count <= _MOST:

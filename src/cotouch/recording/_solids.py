@@ -1,19 +1,16 @@
 """Meshes that stood still around a recorded body, as arrays."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from cotouch.arrays import Array
-
-if TYPE_CHECKING:  # reading a recording needs no kernels
-    from cotouch.mechanics import Solid
+from cotouch.mechanics import Solid
 
 NAMES = ("vertices", "triangles", "ends")
 
 
-def solid_arrays(solids: "Sequence[Solid]") -> dict[str, Array]:
+def solid_arrays(solids: Sequence[Solid]) -> dict[str, Array]:
     """Some solids by name: vertices and triangles of all, and where those of each end, (solids, 2); none: nothing.
 
     Args:
@@ -27,7 +24,7 @@ def solid_arrays(solids: "Sequence[Solid]") -> dict[str, Array]:
     return dict(zip(NAMES, (places, corners, np.cumsum(sizes, axis=0)), strict=True))
 
 
-def solids_of_arrays(arrays: Mapping[str, Array]) -> "list[Solid]":
+def solids_of_arrays(arrays: Mapping[str, Array]) -> list[Solid]:
     """The inverse of `solid_arrays`.
 
     Args:
@@ -37,8 +34,6 @@ def solids_of_arrays(arrays: Mapping[str, Array]) -> "list[Solid]":
         BodyError: one is no closed surface.
         ValueError: they are of no solids.
     """
-    from cotouch.mechanics import Solid
-
     if "ends" not in arrays:
         return []
     places, corners, ends = (np.asarray(arrays[name]) for name in NAMES)
