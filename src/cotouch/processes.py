@@ -60,7 +60,7 @@ def start_child(
 
 
 @contextlib.contextmanager
-def aside(module: str, function: str, *, stdin: int = subprocess.DEVNULL) -> "Generator[subprocess.Popen[Any]]":
+def aside(module: str, function: str, *, stdin: int = subprocess.DEVNULL) -> "Generator[subprocess.Popen[bytes]]":
     """Has another process of Python call a function meanwhile; what is printed there nobody reads.
 
     Args:

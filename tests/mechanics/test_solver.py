@@ -13,7 +13,7 @@ from tests.mechanics.support import Copy, Port, Scene, Spring, periods, random_s
 
 from cotouch.body import Body, chain, lattice
 from cotouch.mechanics import SUPPLIED, Operator
-from cotouch.mechanics._model import _operator
+from cotouch.mechanics._operator import operator_of
 from cotouch.mechanics._solve import chebyshev, chebyshev_iterations, conjugate_gradients, invert
 
 
@@ -189,7 +189,7 @@ class System:
             none,
             sp.eye_array(diagonal.size, format="csr"),
         ]
-        self.op: Operator = _operator(matrices, 1, split)
+        self.op: Operator = operator_of(matrices, 1, split)
         self.A = off + np.diag(diagonal)
         self.diagonal, self.inverse, self.scale = diagonal, np.zeros(diagonal.size), scale * self.op.mix[0, 0]
         self.bound = float(invert(self.op, np.array([self.scale]), diagonal, self.inverse))

@@ -84,14 +84,23 @@ class CorotatedTetrahedra(NamedTuple):
     tie_cut: int = -1
 
 
-@by_address
-class StVenantKirchhoff(CorotatedTetrahedra):
-    """`μ ‖E‖² + ½ λ (tr E)²`, `E = ½ (FᵀF - I)`; fields as of `CorotatedTetrahedra`."""
+def tables_of(name: str, density: str) -> type:
+    """Another class of tables with the fields of `CorotatedTetrahedra`: by their classes kernels tell laws apart.
+
+    Args:
+        name: of the class.
+        density: of its elements' energy, in words or as a formula.
+    """
+    tables: Any = NamedTuple(name, list(CorotatedTetrahedra.__annotations__.items()))
+    tables.__doc__ = f"{density}; fields as of `CorotatedTetrahedra`."
+    tables.__new__.__defaults__ = CorotatedTetrahedra.__new__.__defaults__
+    return by_address(tables)
 
 
-@by_address
-class NeoHookean(CorotatedTetrahedra):
-    """`½ μ (‖F‖² - 3) - μ (J - 1) + ½ (λ + μ) (J - 1)²`: stable, and sound where it is inverted; fields likewise."""
+StVenantKirchhoff = tables_of("StVenantKirchhoff", "`μ ‖E‖² + ½ λ (tr E)²`, `E = ½ (FᵀF - I)`")
+NeoHookean = tables_of(
+    "NeoHookean", "`½ μ (‖F‖² - 3) - μ (J - 1) + ½ (λ + μ) (J - 1)²`: stable, and sound where it is inverted"
+)
 
 
 @inner
