@@ -242,3 +242,17 @@ def one_number(name: str, value: object) -> float:
         return float(value)  # pyright: ignore[reportArgumentType]
     except (TypeError, ValueError):
         raise BodyError(f"{name} is {value!r}; it must be one number") from None
+
+
+def at_least_zero(**values: float) -> None:
+    """Refuses what is no finite number of at least 0.
+
+    Args:
+        values: numbers, by the names that messages call them.
+
+    Raises:
+        BodyError: one is not.
+    """
+    for name, value in values.items():
+        if not (np.isfinite(one_number(name, value)) and value >= 0.0):
+            raise BodyError(f"{name} is {value}; it must be a finite number of at least 0")

@@ -32,8 +32,7 @@ from cotouch.mechanics import (
 )
 from cotouch.mechanics import World as Around
 from cotouch.recording._outside import Outside
-from cotouch.recording._parts import parts_arrays, parts_of_arrays
-from cotouch.recording._solids import NAMES, solid_arrays, solids_of_arrays
+from cotouch.recording._parts import NAMES, parts_arrays, parts_of_arrays, solid_arrays, solids_of_arrays
 
 _INNER, _OUTER = ("damping_int", "stiffness_int"), ("mass", "damping_ext", "stiffness_ext")
 _PARTS = ("data", "indices", "indptr")
