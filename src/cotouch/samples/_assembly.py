@@ -7,9 +7,8 @@ import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.peer import NO_HEADER, LinkHeader, LinkState, Message, Sample
-from cotouch.samples._chunk import Chunk
+from cotouch.samples._chunk import Chunk, Refusal
 from cotouch.samples._layout import Layout
-from cotouch.samples._refusal import Refusal
 
 
 @final
