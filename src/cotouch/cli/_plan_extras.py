@@ -7,7 +7,7 @@ from time import monotonic
 from typing import TYPE_CHECKING, Any, TypedDict, TypeVar
 
 from cotouch.cli._output import number
-from cotouch.cli._plan_tables import LABELS, UNITS
+from cotouch.cli._plan_tables import LABELS, UNITS, TunedSprings
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.files import write
 from cotouch.interrupt import check, interruptible
@@ -44,20 +44,6 @@ _KNEE_SECONDS, _AROUND = 5.0, 4
 _OF_TUNING, _LEAST_TUNING = 0.85, 0.3
 # Loading the simulator's kernels takes about so long, and hears no flag [s].
 _LOADING = 2.0
-
-
-class TunedSprings(TypedDict):
-    """Springs that were tuned, of links by names of users, and which place these links had before."""
-
-    links: list[list[str]]
-    rank: int | None
-    spring: list[float]
-    damping: list[float]
-    damping_limit: float
-    start_factor: float
-    before: float
-    after: float
-    simulated: float | None
 
 
 class Extras(TypedDict, total=False):

@@ -1,11 +1,11 @@
 """What `cotouch plan` found, as tables and sentences."""
 
 from collections.abc import Sequence
+from typing import TypedDict
 
 from rich.console import Console
 
 from cotouch.cli._output import literal, new_table, number
-from cotouch.cli._plan_extras import TunedSprings
 from cotouch.errors import printable
 from cotouch.network import Pair
 from cotouch.planning import LinkCounts, Plan
@@ -28,6 +28,20 @@ _TITLES = {
     "drag": "drag of all users together",
     "feel": "what a hand feels in addition to the object",
 }
+
+
+class TunedSprings(TypedDict):
+    """Springs that were tuned, of links by names of users, and which place these links had before."""
+
+    links: list[list[str]]
+    rank: int | None
+    spring: list[float]
+    damping: list[float]
+    damping_limit: float
+    start_factor: float
+    before: float
+    after: float
+    simulated: float | None
 
 
 def print_plan(found: Plan) -> None:
