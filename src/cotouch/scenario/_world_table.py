@@ -24,7 +24,7 @@ from cotouch.mechanics import (
     deepest_point,
     unsettled,
 )
-from cotouch.scenario._overlap import overlap
+from cotouch.scenario._penetration import overlap
 from cotouch.scenario._tables import MeetingTable, NonNegative, Place, Positive, Table
 
 _MOST = 16
