@@ -37,9 +37,8 @@ def intrinsic(generator: Any) -> Any:
 
 
 @intrinsic
-def raised(typingctx: Any, flag: Any) -> Any:
+def raised(typingctx: Any, flag: Any) -> Any:  # noqa: ARG001
     """Whether a flag of `cotouch.interrupt` is raised: a load that no optimisation takes out of a loop."""
-    del typingctx
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         data = context.make_array(signature.args[0])(context, builder, arguments[0]).data

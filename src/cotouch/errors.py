@@ -19,6 +19,8 @@ A message is one sentence that names the thing, its value, and what would be rig
 """
 
 import unicodedata
+from collections.abc import Generator
+from contextlib import contextmanager
 
 # Control and format characters, halves of pairs and separators of lines: a terminal may obey them.
 _UNPRINTABLE = {"Cc", "Cf", "Cs", "Zl", "Zp"}
@@ -70,6 +72,21 @@ class PageError(InputError):
 
 class UnsupportedError(InputError):
     """A correct input outside what the asked-for method can do."""
+
+
+@contextmanager
+def naming(source: str) -> Generator[None]:
+    """Names a file in what is found wrong with it meanwhile, unless it is named already.
+
+    Args:
+        source: what messages call the file; empty: nothing.
+    """
+    try:
+        yield
+    except InputError as error:
+        if not source or source in str(error):
+            raise
+        raise type(error)(f"{source}: {error}") from error
 
 
 class OutputError(CotouchError):

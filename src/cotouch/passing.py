@@ -5,6 +5,8 @@ another repeated them all, and nine of ten instructions of the closed step did n
 time for them. A table that is made in Python and only read in kernels is written into memory once, where Python calls
 the kernel, and handed on as one address.
 """
+# numba hands over all that it knows, whether a function needs it or not.
+# ruff: noqa: ARG001, ARG002
 
 import operator
 from collections.abc import Iterator, Sequence
@@ -119,7 +121,6 @@ def _(value: Any, context: Any) -> EachByAddress | None:
 @final
 class _Taken(templates.AbstractTemplate):
     def generic(self, args: Any, kws: Any) -> Any:
-        del kws
         if isinstance(args[0], EachByAddress) and isinstance(args[1], types.Integer):
             return templates.signature(args[0].table, args[0], types.intp)
         return None
@@ -127,7 +128,6 @@ class _Taken(templates.AbstractTemplate):
 
 @imputils.lower_builtin(operator.getitem, EachByAddress, types.Integer)
 def _taken(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-    del context, signature
     tables, index = arguments
     places = builder.bitcast(tables, _BYTES.as_pointer())
     return _unchanging(builder, builder.load(builder.gep(places, [index], inbounds=True)))
@@ -141,7 +141,6 @@ def _unchanging(builder: Any, read: Any) -> Any:
 
 @boxing.unbox(EachByAddress)
 def _where(kind: Any, each: Any, c: Any) -> NativeValue:
-    del kind
     held = c.pyapi.object_getattr_string(each, "place")
     place = c.pyapi.long_as_longlong(held)
     c.pyapi.decref(held)

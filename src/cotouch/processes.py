@@ -9,11 +9,12 @@ import os
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 import threading
 import time
 import weakref
-from collections.abc import Mapping, Sequence
+from collections.abc import Generator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final, final
 
@@ -56,6 +57,28 @@ def start_child(
         os.close(theirs)
     weakref.finalize(process, os.close, ours)
     return process
+
+
+@contextlib.contextmanager
+def aside(module: str, function: str, *, stdin: int = subprocess.DEVNULL) -> "Generator[subprocess.Popen[bytes]]":
+    """Has another process of Python call a function meanwhile; what is printed there nobody reads.
+
+    Args:
+        module: where the function is.
+        function: without arguments.
+        stdin: of the process, for `subprocess.Popen`.
+
+    Yields:
+        The process, which is ended on leaving.
+    """
+    program = f"from cotouch.processes import tie_to_parent; tie_to_parent(); from {module} import {function}; "
+    command = [sys.executable, "-c", f"{program}{function}()"]
+    process = start_child(command, stdin=stdin, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    try:
+        yield process
+    finally:
+        process.kill()
+        process.wait()
 
 
 def tie_to_parent() -> None:

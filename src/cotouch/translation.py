@@ -72,9 +72,8 @@ class _Collected(Listener):
     def __init__(self) -> None:
         self._depth, self._before, self._set = 0, gc.get_threshold(), gc.get_threshold()
 
-    def on_start(self, event: Event) -> None:
+    def on_start(self, event: Event) -> None:  # noqa: ARG002
         """Something is compiled, perhaps within something else."""
-        del event
         if not self._depth:
             self._before = self._set = gc.get_threshold()
             if 0 < self._before[0] < _OBJECTS:  # 0: whoever runs this wants none of it
@@ -82,9 +81,8 @@ class _Collected(Listener):
                 gc.set_threshold(*self._set)
         self._depth += 1
 
-    def on_end(self, event: Event) -> None:
+    def on_end(self, event: Event) -> None:  # noqa: ARG002
         """It is done."""
-        del event
         self._depth -= 1
         if not self._depth and gc.get_threshold() == self._set:
             gc.set_threshold(*self._before)
@@ -158,9 +156,8 @@ class CopiedCode(_Code):
         self._verify_declare_only_symbols()
         self._finalized = True
 
-    def get_pointer_to_function(self, name: str) -> int:
+    def get_pointer_to_function(self, name: str) -> int:  # noqa: ARG002
         """None."""
-        del name
         self._ensure_finalized()
         return 0
 

@@ -43,7 +43,7 @@ def test_how_much_is_told_and_a_warning_where_it_is_large(
     largest[0, 1:], counted[0, 1:] = factor, alarms
     closed = {"closure": work, "closure_factor": largest, "closure_alarms": counted}
     run = run.assign({name: (("user", "step"), values) for name, values in closed.items()})
-    monkeypatch.setattr("cotouch.simulation.simulate", lambda _: run)
+    monkeypatch.setattr("cotouch.cli._simulate.simulate_scenario", lambda _: run)
     monkeypatch.setenv("COLUMNS", "200")
     figures, text = shown(path)
     assert figures["closure"] == {"work_j": [2e-3, 4e-3], "largest_factor": factor, "alarms": alarms}

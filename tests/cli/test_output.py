@@ -45,8 +45,8 @@ def audited(
         verdict="Passive.",
         holds=True,
     )
-    monkeypatch.setattr("cotouch.recording.read_recording", lambda _: None)
-    monkeypatch.setattr("cotouch.recording.audit", lambda _: found)
+    monkeypatch.setattr("cotouch.cli._audit.read_recording", lambda _: None)
+    monkeypatch.setattr("cotouch.cli._audit.audit", lambda _: found)
     done = here("audit", "a.mcap")
     assert (done.returncode, done.stderr) == (0, "")
     return done.stdout
@@ -95,7 +95,7 @@ def outcome(**entries: Any) -> DemoOutcome:
 
 def test_after_lowered_damping_nothing_is_called_passive(monkeypatch: pytest.MonkeyPatch) -> None:
     played = [outcome(lowered=True), outcome()]
-    monkeypatch.setattr("cotouch.session.play", lambda *_, **__: played.pop(0))
+    monkeypatch.setattr("cotouch.cli._demo.play", lambda *_, **__: played.pop(0))
     lowered, passive = (" ".join(here("demo", "--headless", "--no-page").stdout.split()) for _ in range(2))
     assert "Passive" not in lowered
     assert lowered.endswith("While the damping was lowered, nothing was guaranteed; links added 633 J in total.")

@@ -177,7 +177,7 @@ def test_a_body_that_is_not_modal_is_one_sentence(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("cold", [True, False])
 def test_a_first_run_says_that_it_compiles_and_has_a_first_answer(cold: bool, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("cotouch.planning.compiles", lambda *_: cold)
+    monkeypatch.setattr("cotouch.cli._plan.compiles", lambda *_: cold)
     done = here("plan", FIVE_USERS, "--links", "6", "--objective", "damping", "--json")
     compiling, *first = done.stderr.splitlines() or [""]
     assert compiling == ("Compiling, which takes about two minutes, once on this machine." if cold else "")
@@ -248,7 +248,7 @@ def test_the_knee_figure_shows_what_the_plan_says(tmp_path: Path, monkeypatch: p
     """The objective asked for, with the plan's own numbers; around a single number of links as many on either side."""
     seen: list[tuple[tuple[Any, ...], dict[str, Any]]] = []
     real = planning.knee
-    monkeypatch.setattr("cotouch.planning.knee", lambda *a, **more: seen.append((a, more)) or real(*a, **more))
+    monkeypatch.setattr("cotouch.cli._plan_extras.knee", lambda *a, **more: seen.append((a, more)) or real(*a, **more))
     options = ("plan", FIVE_USERS, "--json", "--figures", str(tmp_path / "drawn"))
     found = json.loads(here(*options, "--links", "4-7", "--objective", "drag").stdout)
     ((counts, (label, values), _), more) = seen.pop()
@@ -269,7 +269,7 @@ def test_an_interrupted_tuning_still_tells_the_plan(monkeypatch: pytest.MonkeyPa
     def interrupt(*_: object, ranked: planning.Plan, **__: object) -> None:
         raise planning.JointInterrupted(planning.Joint(tuned, 1, 1, ranked))
 
-    monkeypatch.setattr("cotouch.planning.plan_springs", interrupt)
+    monkeypatch.setattr("cotouch.cli._plan_extras.plan_springs", interrupt)
     done = here("plan", FIVE_USERS, "--links", "6", "--objective", "decay", "--tune-springs", "42", "--json")
     assert (done.returncode, done.stderr) == (130, "cotouch: interrupted\n")
     said = json.loads(done.stdout)

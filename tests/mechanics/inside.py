@@ -4,8 +4,8 @@ from cotouch.mechanics._breaking import SOLIDS, principal_stress
 from cotouch.mechanics._crossing import crosses
 from cotouch.mechanics._cutting_of import EDGES
 from cotouch.mechanics._materials import gradients_of, lame_of
-from cotouch.mechanics._model import _operator as operator_of
 from cotouch.mechanics._nearest import SWEEPS
+from cotouch.mechanics._operator import operator_of
 from cotouch.mechanics._solve import chebyshev, chebyshev_iterations, conjugate_gradients, invert
 from cotouch.mechanics._surface import Fit, box_distance, fit_of, place_vertex, refit
 from cotouch.mechanics._vector import WIDTHS, four, root, transposed

@@ -16,7 +16,6 @@ from cotouch.mechanics import (
     EnergyMessage,
     HeldForce,
     book_end,
-    coupling_named,
     device_couplings,
     end_row,
     hear,
@@ -195,12 +194,12 @@ def _greedy(end: Float) -> None:
 
 
 def test_a_law_that_holds_more_than_there_is_is_found() -> None:
-    law = DeviceCoupling(name="greedy", device=_greedy, proxy=_greedy, bound=coupling_named("pspm").bound)
+    law = DeviceCoupling(name="greedy", device=_greedy, proxy=_greedy, bound=device_couplings()["pspm"].bound)
     assert max(through(law, seed, latency=0).used for seed in range(6)) > 1.0
 
 
 def test_an_account_that_books_nothing_is_found() -> None:
-    assert max(through(coupling_named("pspm"), seed, latency=0, books=False).used for seed in range(6)) > 1.0
+    assert max(through(device_couplings()["pspm"], seed, latency=0, books=False).used for seed in range(6)) > 1.0
 
 
 @pytest.mark.parametrize("law", EVERY, ids=lambda law: law.name)
@@ -224,7 +223,7 @@ def test_a_kernel_calls_what_python_calls(law: DeviceCoupling) -> None:
 def test_gifts_keep_every_joule() -> None:
     """Tanks, what they gave and what is on its way add up to the initial energies less the ports' work."""
     rng = np.random.default_rng(1)
-    law = coupling_named("pspm").half(proxy=True)
+    law = device_couplings()["pspm"].half(proxy=True)
     rows = np.stack([end_row(stiffness=500.0, damping=1.0, cap=0.05, initial=energy) for energy in (0.02, 0.01)])
     for _ in range(1000):
         for one, other in ((0, 1), (1, 0)):
@@ -240,11 +239,6 @@ def test_gifts_keep_every_joule() -> None:
         assert a[END.received] <= b[END.given] + 1e-15
         assert b[END.received] <= a[END.given] + 1e-15
     assert rows[:, END.given].min() > 1e-3
-
-
-def test_a_coupling_that_is_not_there_is_one_sentence() -> None:
-    with pytest.raises(DeviceError, match='coupling is "stiff"; it must be one of pspm, virtual'):
-        coupling_named("stiff")
 
 
 def _beyond(end: Float) -> None:

@@ -114,6 +114,29 @@ def test_what_is_wrong_is_one_sentence(text: str, words: list[str]) -> None:
         assert word in message, message
 
 
+@pytest.mark.parametrize(
+    ("more", "said"),
+    [
+        ("[[hands]]\nuser = 1\nnode = 9", "hands[1].node is 9; the body has nodes 1 to 1"),
+        ("[[hands]]\nuser = 5", "hands[1].user is 5; the network has users 1 to 2"),
+        ("[body]\nkind = 'chain'\nnodes = 2\nground = [7]", "ground names node index 6; this body has nodes 0 to 1"),
+        ("[record]\nevery = 2000000", "record.every is 2000000, but the run has 20000 steps; make it less"),
+    ],
+)
+def test_what_only_the_run_tells_names_the_file_once(tmp_path: Path, more: str, said: str) -> None:
+    """And still where options were replaced; a scenario of no file names none."""
+    path = tmp_path / "wrong.toml"
+    path.write_text(PAIR + more)
+    for scenario, where in (
+        (Scenario.read(path), f"{path}: "),
+        (Scenario.read(path).replace(seed=1), f"{path}: "),
+        (Scenario.from_toml(PAIR + more), ""),
+    ):
+        with pytest.raises(InputError) as error:
+            prepare(scenario)
+        assert str(error.value) == where + said
+
+
 def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     with pytest.raises(ScenarioError, match=r"nowhere\.toml cannot be read"):
         Scenario.read(tmp_path / "nowhere.toml")

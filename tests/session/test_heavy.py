@@ -172,7 +172,7 @@ def test_an_audit_finds_another_table(lifted: World, number: int) -> None:
 
 def test_who_begins_in_the_table_is_told() -> None:
     text = session(world="[[world.planes]]\npoint = [0, 0, 0.03]\n")
-    with pytest.raises(ScenarioError, match=r"^world.planes\[1\]: the copy of user 1 begins 0.03 m deep in it"):
+    with pytest.raises(ScenarioError, match=r"^a test: world.planes\[1\]: the copy of user 1 begins 0.03 m deep in it"):
         SharedModel.build(SessionFile.from_toml(text, source="a test"))
 
 

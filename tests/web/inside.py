@@ -1,6 +1,6 @@
 """What these tests take from inside the room: nothing else here imports its private modules."""
 
-from cotouch.web._access import Access, Allowance, host_of
+from cotouch.web._access import Access, host_of
 from cotouch.web._frames import FrameEncoder
 from cotouch.web._hub import MOST_PAGES, Hub
 from cotouch.web._page import Page
@@ -11,7 +11,6 @@ __all__ = [
     "MOST_PAGES",
     "VERSION",
     "Access",
-    "Allowance",
     "Do",
     "FrameEncoder",
     "FrameReceipt",

@@ -1,7 +1,7 @@
 """By which names the server is called, from which pages, and how often."""
 
 import pytest
-from tests.web.inside import Access, Allowance, host_of
+from tests.web.inside import Access, host_of
 
 LOCAL = Access(listen="127.0.0.1", token="right")
 EVERYWHERE = Access(listen="0.0.0.0", token="right")
@@ -67,14 +67,6 @@ def test_origin(origin: str | None, needed: bool, let_in: bool):
 def test_wrong_tokens(token: str | None):
     assert LOCAL.token_right("right")
     assert not LOCAL.token_right(token)
-
-
-def test_allowance():
-    some = Allowance(10.0, 3.0)
-    assert [some.take(1.0) for _ in range(5)] == [True, True, True, False, False]
-    assert [some.take(1.1), some.take(1.1)] == [True, False]
-    assert [some.take(99.0) for _ in range(4)] == [True, True, True, False]
-    assert not some.take(98.0)  # a clock that goes back gives nothing
 
 
 def test_host_of():

@@ -15,6 +15,7 @@ from cotouch.body._mesh_material import SurfaceModel, is_solid_model, solid_mode
 from cotouch.body._origin import Origin
 from cotouch.body._part import DrawnPart, Part, ToolBody, drawn_parts, drawn_tools, grip_shares, pulls_of
 from cotouch.body._reading import Unit
+from cotouch.body._repair import winding
 from cotouch.body._rigid import rigid_body, scaled
 from cotouch.body._shapes import rigid_box, rigid_cylinder, rigid_sphere, turning
 from cotouch.body._skin import Skin
@@ -85,5 +86,6 @@ __all__ = [
     "together",
     "turn_vectors",
     "turning",
+    "winding",
     "with_faces",
 ]

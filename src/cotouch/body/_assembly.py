@@ -10,7 +10,7 @@ import scipy.sparse as sp
 
 from cotouch.arrays import Long
 from cotouch.body._body import Body
-from cotouch.body._checks import SumOfSquares
+from cotouch.body._checks import SumOfSquares, at_least_zero
 from cotouch.body._ground import Held, free_motions, held_nodes, rounded_face
 from cotouch.body._material import Material
 from cotouch.body._origin import Origin
@@ -61,9 +61,7 @@ def put_together(
     Raises:
         BodyError: what holds it cannot be.
     """
-    for label, value in (("ground_stiffness", ground_stiffness), ("ground_damping", ground_damping)):
-        if not (np.isfinite(value) and value >= 0.0):
-            raise BodyError(f"{label} is {value}; it must be a finite number of at least 0")
+    at_least_zero(ground_stiffness=ground_stiffness, ground_damping=ground_damping)
     held = held_nodes(ground, rest, slack=slack, spacing=float(origin["spacing"]), sets=sets)
     rounded = rounded_face(ground, rest, held)
     if rounded is not None:

@@ -10,7 +10,7 @@ import scipy.sparse as sp
 
 from cotouch.arrays import Index, Long
 from cotouch.body._body import Body
-from cotouch.body._checks import one_number
+from cotouch.body._checks import at_least_zero, one_number
 from cotouch.body._elasticity import cubes_of, springs_of_cells
 from cotouch.body._material import Frame, Material, linear_material
 from cotouch.body._shapes import box_surface
@@ -46,7 +46,7 @@ def point(
         BodyError: a value is not finite or out of its range.
     """
     one_number("mass", mass)
-    _at_least_zero(damping=damping, stiffness=stiffness)
+    at_least_zero(damping=damping, stiffness=stiffness)
     return Body(
         mass=[[mass]],
         rest=[np.atleast_1d(rest)],
@@ -157,7 +157,7 @@ def lattice(
     one_number("mass", mass)
     if not (np.isfinite(one_number("spacing", spacing)) and spacing > 0.0):
         raise BodyError(f"spacing is {spacing}; it must be more than 0 m")
-    _at_least_zero(
+    at_least_zero(
         stiffness=stiffness, damping=damping, ground_stiffness=ground_stiffness, ground_damping=ground_damping
     )
     count = prod(extents)
@@ -278,9 +278,3 @@ def _held(ground: Ground, places: Long, extents: tuple[int, ...]) -> npt.NDArray
     if bad.size:
         raise BodyError(f"ground names node index {indices[bad[0]]}; this body has nodes 0 to {count - 1}")
     return indices
-
-
-def _at_least_zero(**values: float) -> None:
-    for name, value in values.items():
-        if not (np.isfinite(one_number(name, value)) and value >= 0.0):
-            raise BodyError(f"{name} is {value}; it must be a finite number of at least 0")

@@ -1,18 +1,16 @@
 """What a matrix of a body must be, checked once, with an error that says which entry or eigenvalue is wrong."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, TypeAlias, cast, final
+from typing import Literal, TypeAlias, cast, final
 
 import numpy as np
 import numpy.typing as npt
 import scipy.linalg as la
 import scipy.sparse as sp
+from scipy.sparse.linalg import SuperLU, splu
 
 from cotouch.arrays import Float
 from cotouch.errors import BodyError
-
-if TYPE_CHECKING:
-    from scipy.sparse.linalg import SuperLU
 
 Matrix: TypeAlias = npt.ArrayLike | sp.sparray | sp.spmatrix
 
@@ -188,14 +186,12 @@ def positive(name: str, matrix: sp.csr_array, *, strictly: bool) -> None:
     raise BodyError(f"the smallest eigenvalue of {name} is {smallest:.6g}; {name} must be {wanted}")
 
 
-def _factor(matrix: sp.csr_array, shift: float) -> "SuperLU | None":
+def _factor(matrix: sp.csr_array, shift: float) -> SuperLU | None:
     """The LU factors of `matrix - shift I` where that is positive definite, else None.
 
     Without pivoting U is D Lᵀ, so by Sylvester's law all of its diagonal is positive just where the matrix is. Unlike
     Lanczos iterations, this also decides matrices whose eigenvalues crowd at zero, as those of plates and beams do.
     """
-    from scipy.sparse.linalg import splu
-
     shifted = sp.csc_array(matrix - shift * sp.eye_array(matrix.shape[0]))
     try:
         factors = splu(shifted, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
@@ -246,3 +242,17 @@ def one_number(name: str, value: object) -> float:
         return float(value)  # pyright: ignore[reportArgumentType]
     except (TypeError, ValueError):
         raise BodyError(f"{name} is {value!r}; it must be one number") from None
+
+
+def at_least_zero(**values: float) -> None:
+    """Refuses what is no finite number of at least 0.
+
+    Args:
+        values: numbers, by the names that messages call them.
+
+    Raises:
+        BodyError: one is not.
+    """
+    for name, value in values.items():
+        if not (np.isfinite(one_number(name, value)) and value >= 0.0):
+            raise BodyError(f"{name} is {value}; it must be a finite number of at least 0")

@@ -1,15 +1,12 @@
-"""A closed surface from a file, for what is no body."""
-
-from pathlib import Path
+"""A closed surface from a file."""
 
 import numpy as np
 
 from cotouch.arrays import Float, Int
 from cotouch.body._assembly import MeshSource, name_of
-from cotouch.body._reading import Unit, as_mesh, metres
-from cotouch.body._repair import repaired
-from cotouch.errors import BodyError
-from cotouch.meshfile import Mesh, read_surface
+from cotouch.body._reading import Unit, mesh_of, metres
+from cotouch.body._repair import Shells, repaired
+from cotouch.meshfile import Mesh
 
 
 def closed_surface(
@@ -25,16 +22,22 @@ def closed_surface(
     Raises:
         BodyError: the source is no closed surface and cannot be made one, or has too many triangles.
     """
-    name = name_of(source)
-    scale = metres(unit, name)
-    if isinstance(source, str | Path):
-        mesh = read_surface(Path(name), most_triangles)
-    else:
-        mesh = as_mesh(source, 3, "triangles")
-    if mesh.elements.shape[0] > most_triangles:
-        raise BodyError(
-            f"{name} has {mesh.elements.shape[0]} triangles but the limit is {most_triangles}; make it coarser, or "
-            "raise most_triangles"
-        )
-    made = repaired(Mesh(points=mesh.points * scale, elements=mesh.elements, notes=mesh.notes), name)
+    made = closed_shells(source, name_of(source), unit, most_triangles)
     return made.vertices, made.triangles.astype(np.int32), tuple(made.notes)
+
+
+def closed_shells(source: MeshSource, name: str, unit: Unit | None, most_triangles: int) -> Shells:
+    """The closed surface of a mesh, shell by shell [m].
+
+    Args:
+        source: as of `closed_surface`.
+        name: what messages call it.
+        unit: of the source.
+        most_triangles: refuse more than this.
+
+    Raises:
+        BodyError: the source is no closed surface and cannot be made one, or has too many triangles.
+    """
+    scale = metres(unit, name)
+    mesh = mesh_of(source, name, "triangles", most_triangles)
+    return repaired(Mesh(points=mesh.points * scale, elements=mesh.elements, notes=mesh.notes), name)

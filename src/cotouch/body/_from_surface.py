@@ -1,6 +1,5 @@
 """A lattice inside a surface that it carries as a skin."""
 
-from pathlib import Path
 from typing import Final, get_args
 
 import numpy as np
@@ -9,18 +8,17 @@ from cotouch.body._assembly import MeshSource, name_of, put_together
 from cotouch.body._body import Body
 from cotouch.body._builders import MOST_NODES
 from cotouch.body._cells import carriers
+from cotouch.body._closed_surface import closed_shells
 from cotouch.body._ground import Held
 from cotouch.body._inertia import inertia_excess
 from cotouch.body._lines import doubled
 from cotouch.body._material import Frame
 from cotouch.body._mesh_material import SurfaceModel, check_material, frame_of_model, of_cells, warned
 from cotouch.body._pieces import grid_nodes, one_part
-from cotouch.body._reading import Unit, as_mesh, metres
-from cotouch.body._repair import repaired
+from cotouch.body._reading import Unit
 from cotouch.body._rigid import moments_of, rigid_solid
 from cotouch.body._skin import Skin
 from cotouch.errors import BodyError
-from cotouch.meshfile import Mesh, read_surface
 
 # Counted in the file before it is loaded; what a surface has beyond is finer than any lattice inside it can follow.
 MOST_TRIANGLES: Final = 1_000_000
@@ -112,16 +110,7 @@ def body_from_surface(
         frame=frame,
     )
     frame = frame_of_model(model, frame)
-    scale = metres(unit, name)
-    mesh = (
-        read_surface(Path(name), most_triangles) if isinstance(source, str | Path) else as_mesh(source, 3, "triangles")
-    )
-    if mesh.elements.shape[0] > most_triangles:
-        raise BodyError(
-            f"{name} has {mesh.elements.shape[0]} triangles but the limit is {most_triangles}; make it coarser, or "
-            "raise most_triangles"
-        )
-    shells = repaired(Mesh(points=mesh.points * scale, elements=mesh.elements, notes=mesh.notes), name)
+    shells = closed_shells(source, name, unit, most_triangles)
     shells, cells, notes = one_part(shells, int(resolution), part, name)
     if model == "rigid":
         solid = moments_of(shells.vertices, shells.triangles)

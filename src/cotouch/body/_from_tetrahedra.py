@@ -1,7 +1,6 @@
 """A solid of tetrahedra, whose boundary is its skin."""
 
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import Final
 
 import numpy as np
@@ -24,10 +23,9 @@ from cotouch.body._mesh_material import (
 )
 from cotouch.body._mesh_parts import Parts, of_parts
 from cotouch.body._pieces import boundary_of, hinged, one_piece, volumes_of, without_broken
-from cotouch.body._reading import Unit, as_mesh, check_indices, metres
+from cotouch.body._reading import Unit, check_indices, mesh_of, metres
 from cotouch.body._rigid import moments_of_tetrahedra, rigid_solid
 from cotouch.errors import BodyError
-from cotouch.meshfile import read_tetrahedra
 
 # Counted in the file before it is loaded.
 MOST_ELEMENTS: Final = 500_000
@@ -116,15 +114,7 @@ def body_from_tetrahedra(
     )
     frame = frame_of_model(model, frame)
     scale = metres(unit, name)
-    if isinstance(source, str | Path):
-        mesh = read_tetrahedra(Path(name), most_elements)
-    else:
-        mesh = as_mesh(source, 4, "tetrahedra")
-    if mesh.elements.shape[0] > most_elements:
-        raise BodyError(
-            f"{name} has {mesh.elements.shape[0]} tetrahedra but the limit is {most_elements}; make it coarser, or "
-            "raise most_elements"
-        )
+    mesh = mesh_of(source, name, "tetrahedra", most_elements)
     check_indices(mesh, name, "tetrahedra")
     notes = list(mesh.notes)
     elements = without_broken(mesh.points, mesh.elements, name, notes)

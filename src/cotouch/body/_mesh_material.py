@@ -8,7 +8,7 @@ import scipy.sparse as sp
 from cotouch.arrays import Float, Long
 from cotouch.body import _elasticity as elasticity
 from cotouch.body._cells import Cells
-from cotouch.body._checks import one_number
+from cotouch.body._checks import at_least_zero, one_number
 from cotouch.body._material import Frame, Material, is_solid_law, least_poisson, linear_material, solid_laws
 from cotouch.errors import BodyError
 
@@ -187,9 +187,7 @@ def check_material(
     if not least < poisson < 0.5:
         only = f'with model "{model}" ' if least > -1.0 else ""
         raise BodyError(f"poisson is {poisson}; {only}it must be above {least:g} and below 0.5")
-    for label, value in (("rayleigh_mass", rayleigh_mass), ("rayleigh_stiffness", rayleigh_stiffness)):
-        if not (np.isfinite(one_number(label, value)) and value >= 0.0):
-            raise BodyError(f"{label} is {value}; it must be a finite number of at least 0")
+    at_least_zero(rayleigh_mass=rayleigh_mass, rayleigh_stiffness=rayleigh_stiffness)
 
 
 def warned(model: str, poisson: float) -> list[str]:

@@ -7,13 +7,18 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch.errors import BodyError
-from cotouch.meshfile import Mesh
+from cotouch.meshfile import Mesh, read_surface, read_tetrahedra
 
 Unit: TypeAlias = Literal["m", "mm", "cm", "in"]
 
 UNITS: Final[dict[str, float]] = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254}
 # glTF 2.0 fixes the metre (Khronos, section 3.4); no other of these formats says what a number means.
 _METRES: Final = (".glb",)
+# What reads elements of a kind, how many corners they have, and what their limit is called.
+_READERS: Final = {
+    "triangles": (read_surface, 3, "most_triangles"),
+    "tetrahedra": (read_tetrahedra, 4, "most_elements"),
+}
 
 
 def metres(unit: str | None, source: str) -> float:
@@ -63,6 +68,27 @@ def as_mesh(source: object, width: int, what: str) -> Mesh:
         extents = " x ".join(map(str, given.shape))
         raise BodyError(f"the {what} are {extents}; they must be at least one row of {width} whole numbers")
     return Mesh(points=places, elements=corners)
+
+
+def mesh_of(source: object, name: str, what: Literal["triangles", "tetrahedra"], most: int) -> Mesh:
+    """Points and elements of a file, or as they were given.
+
+    Args:
+        source: a file, or points and elements.
+        name: what messages call it.
+        what: the elements.
+        most: refuse more of them.
+
+    Raises:
+        BodyError: it is no such mesh, or has too many elements.
+    """
+    read, width, limit = _READERS[what]
+    mesh = read(Path(name), most) if isinstance(source, str | Path) else as_mesh(source, width, what)
+    if mesh.elements.shape[0] > most:
+        raise BodyError(
+            f"{name} has {mesh.elements.shape[0]} {what} but the limit is {most}; make it coarser, or raise {limit}"
+        )
+    return mesh
 
 
 def check_indices(mesh: Mesh, source: str, what: str) -> None:

@@ -245,20 +245,24 @@ def _caps(vertices: Float, triangles: Long, shell: Long) -> tuple[Float, Long, L
 
 
 def _inside(vertices: Float, triangles: Long, shell: Long, volumes: Float, which: int) -> bool:
-    """Whether a shell lies inside the solid of the positive shells, by the winding number of one of its corners.
-
-    The solid angle of a triangle is that of van Oosterom and Strackee (1983).
-    """
+    """Whether a shell lies inside the solid of the positive shells, by the winding number of one of its corners."""
     point = vertices[triangles[np.argmax(shell == which)][0]]
     others = triangles[(volumes > 0.0)[shell] & (shell != which)]
-    if others.size == 0:
-        return False
-    a, b, c = (vertices[others[:, k]] - point for k in range(3))
+    return abs(winding(vertices[others] - point)) > 0.5
+
+
+def winding(corners: Float) -> float:
+    """How often triangles go around the origin: 1 inside a closed surface, 0 outside [van Oosterom & Strackee 1983].
+
+    Args:
+        corners: of the triangles, (F, 3, 3).
+    """
+    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     la, lb, lc = (np.linalg.norm(side, axis=1) for side in (a, b, c))
     volume = np.einsum("ij,ij->i", a, np.cross(b, c))
     rest = la * lb * lc + np.einsum("ij,ij->i", a, b) * lc
     rest += np.einsum("ij,ij->i", b, c) * la + np.einsum("ij,ij->i", c, a) * lb
-    return bool(abs(np.arctan2(volume, rest).sum()) / (2.0 * np.pi) > 0.5)
+    return float(np.arctan2(volume, rest).sum() / (2.0 * np.pi))
 
 
 def _many(count: int, what: str) -> str:

@@ -1,17 +1,15 @@
 """Natural modes and static answers of large bodies: a factorisation ordered by where the nodes are."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, final
+from typing import final
 
 import numpy as np
 import scipy.linalg as la
 import scipy.sparse as sp
+from scipy.sparse.linalg import LinearOperator, SuperLU, eigsh, splu
 
 from cotouch.arrays import Float, Index
 from cotouch.body._eigenspaces import canonical
-
-if TYPE_CHECKING:
-    from scipy.sparse.linalg import SuperLU
 
 # Up to here a dense eigenvalue solve takes well under a second.
 _DENSE_ROWS = 600
@@ -48,7 +46,7 @@ class Statics:
     mass: sp.csr_array
     stiffness: sp.csr_array
     shift: float
-    factors: "SuperLU"
+    factors: SuperLU
     order: Index
 
     def solve(self, rhs: Float) -> Float:
@@ -93,8 +91,6 @@ def factorise(mass: sp.csr_array, stiffness: sp.csr_array, rest: Float, *, free:
         rest: (n, 3) places at rest [m].
         free: whether rigid motions may be free.
     """
-    from scipy.sparse.linalg import splu
-
     nodes = int(rest.shape[0])
     axes = mass.shape[0] // nodes
     shift = _SHIFT * _lowest_guess(mass, stiffness, nodes) if free else 0.0
@@ -176,8 +172,6 @@ def _lowest(
         noise = _ROUNDINGS * np.finfo(np.float64).eps * highest
         limit = max(_RIGID * _SHIFT * guess, noise)
     else:
-        from scipy.sparse.linalg import LinearOperator, eigsh
-
         ready = factorise(mass, stiffness, rest) if statics is None else statics
         inverse = LinearOperator((rows, rows), matvec=lambda b: ready.solve(np.asarray(b).ravel()), dtype=np.float64)
         values, shapes = eigsh(

@@ -2,15 +2,12 @@
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from cotouch.cli._output import literal, number, print_columns, print_json, print_note, working
+from rich.console import Console
+
+from cotouch.cli._output import literal, number, print_columns, print_json, print_note, print_written, working
 from cotouch.files import beside, folder
-
-if TYPE_CHECKING:
-    from rich.console import Console
-
-    from cotouch.recording import Audit, LinkLedger, UserLedger
+from cotouch.recording import Audit, LinkLedger, UserLedger, audit, read_recording, save_audit_figures
 
 
 def run(files: Sequence[Path], *, figures: Path | None, tolerance: float | None, as_json: bool) -> bool:
@@ -22,8 +19,6 @@ def run(files: Sequence[Path], *, figures: Path | None, tolerance: float | None,
         tolerance: of the energy, as a share; None: the usual.
         as_json: whether to print one JSON object and nothing else on standard output.
     """
-    from cotouch.recording import audit, read_recording, save_audit_figures
-
     if figures is not None:
         beside(folder(figures), ("audit.png",), files)
     with working("Reading ...", quiet=as_json):
@@ -42,9 +37,7 @@ def run(files: Sequence[Path], *, figures: Path | None, tolerance: float | None,
     return result.holds
 
 
-def _print(result: "Audit", written: Sequence[Path]) -> None:
-    from rich.console import Console
-
+def _print(result: Audit, written: Sequence[Path]) -> None:
     console = Console()
     _users(console, result)
     if result.links:
@@ -56,18 +49,17 @@ def _print(result: "Audit", written: Sequence[Path]) -> None:
         said = f"at {finding.time:.4g} s, {number(finding.energy, 'J')}: {literal(finding.words)}"
         print_note(console, "red", said)
     console.print(result.verdict, style="bold green" if result.holds else "bold red", highlight=False, markup=False)
-    for file in written:
-        console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
+    print_written(console, written)
 
 
-def _law(result: "Audit") -> str:
+def _law(result: Audit) -> str:
     law = result.law
     said = [] if law.on_the_way is None else [f"{number(law.on_the_way, 'J')} still on its way"]
     said.append("felt drag unknown" if law.drag is None else f"felt drag {number(law.drag, 'Ns/m')}")
     return f"  Law {literal(law.name)}: {', '.join(said)}"
 
 
-def _users(console: "Console", result: "Audit") -> None:
+def _users(console: Console, result: Audit) -> None:
     rows: list[tuple[str, Callable[[UserLedger], float]]] = [
         ("put in by hands and tools", lambda ledger: ledger.supplied),
         ("added by links", lambda ledger: ledger.link_work),
@@ -88,7 +80,7 @@ def _users(console: "Console", result: "Audit") -> None:
     print_columns(console, "Energy of each user [J]", [*(label for label, _ in rows), "unexplained"], columns)
 
 
-def _links(console: "Console", result: "Audit") -> None:
+def _links(console: Console, result: Audit) -> None:
     names: dict[int, str] = {ledger.user: ledger.name for ledger in result.users}
     states = list(dict.fromkeys(state for ledger in result.links for state in ledger.by_state))
     columns: list[tuple[str, Callable[[LinkLedger], str]]] = [

@@ -1,18 +1,20 @@
 """`cotouch body`."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, TypedDict
+from typing import TypedDict
 
-from cotouch.cli._output import literal, number, print_json, print_note, working
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+
+from cotouch.arrays import Float
+from cotouch.body import Body, is_surface
+from cotouch.cli._output import literal, new_table, number, print_json, print_note, print_written, working
 from cotouch.errors import ScenarioError
 from cotouch.files import beside, folder
-
-if TYPE_CHECKING:
-    from rich.table import Table
-
-    from cotouch.arrays import Float
-    from cotouch.body import Body
-    from cotouch.simulation import BodyReport
+from cotouch.interrupt import interruptible
+from cotouch.scenario import FileTable, Scenario
+from cotouch.simulation import BodyReport, body_report, save_body_figure
 
 # What the options for meshes are where nobody gives them.
 _USUAL = {
@@ -46,11 +48,6 @@ def run(
         most: elements that are taken; None: the usual.
         **options: of the library call, as named there.
     """
-    from cotouch.body import is_surface
-    from cotouch.interrupt import interruptible
-    from cotouch.scenario import FileTable
-    from cotouch.simulation import body_report, save_body_figure
-
     if path.suffix.lower() == ".toml":
         _refuse_mesh_options(path, {**options, "ground": ground, "most": most, "figures": figures})
         _tell_scenario(path, as_json=as_json)
@@ -72,14 +69,12 @@ def run(
         told = {} if truncation is None else {"truncation": truncation}
         print_json({**numbers, **told, "files": [str(file) for file in drawn]})
         return
-    from rich.console import Console
 
     console = Console()
     console.print(_table(numbers, truncation))
     for note in numbers["notes"]:
         print_note(console, "yellow", literal(note))
-    for file in drawn:
-        console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
+    print_written(console, drawn)
 
 
 def _refuse_mesh_options(path: Path, options: dict[str, object]) -> None:
@@ -93,26 +88,19 @@ def _refuse_mesh_options(path: Path, options: dict[str, object]) -> None:
 
 def _tell_scenario(path: Path, *, as_json: bool) -> None:
     """Prints a row for each of a scenario's bodies."""
-    from cotouch.interrupt import interruptible
-    from cotouch.scenario import Scenario
-
     with working("Building the bodies", quiet=as_json):
         body = interruptible(Scenario.read(path).build_body)()
     found = [_of_scenario(one.name, one.body, one.rest()) for one in body.parts] or [_of_scenario("", body, body.rest)]
     if as_json:
         print_json({"file": str(path), "nodes": body.nodes, "bodies": found})
         return
-    from rich.box import SIMPLE_HEAD
-    from rich.console import Console
-    from rich.table import Table
 
     title = f"{path.name}: {len(found)} bod{'ies' if len(found) > 1 else 'y'}, {body.nodes:,} nodes"
-    table = Table(box=SIMPLE_HEAD, title=literal(title), title_justify="left", title_style="bold")
-    for name in ("body", "model", "nodes", "skin", "mass", "size", "centre"):
-        table.add_column(name)
+    headings = ("body", "model", "nodes", "skin", "mass", "size", "centre")
+    shown = new_table(*headings, title=literal(title), text=len(headings))
     for one in found:
         size, middle = (" × ".join(map(number, one["size_m"])), ", ".join(map(number, one["middle_m"])))
-        table.add_row(
+        shown.add_row(
             literal(one["name"]),
             one["model"],
             f"{one['nodes']:,}",
@@ -121,7 +109,7 @@ def _tell_scenario(path: Path, *, as_json: bool) -> None:
             f"{size} m",
             f"{middle} m",
         )
-    Console().print(table)
+    Console().print(shown)
 
 
 class _Row(TypedDict):
@@ -134,7 +122,7 @@ class _Row(TypedDict):
     middle_m: list[float]
 
 
-def _of_scenario(name: str, body: "Body", rest: "Float") -> _Row:
+def _of_scenario(name: str, body: Body, rest: Float) -> _Row:
     """What one of a scenario's bodies is, and where."""
     skin = body.skin
     seen = rest if skin is None or not skin.vertices.size else _seen(body, rest)
@@ -149,7 +137,7 @@ def _of_scenario(name: str, body: "Body", rest: "Float") -> _Row:
     }
 
 
-def _seen(body: "Body", rest: "Float") -> "Float":
+def _seen(body: Body, rest: Float) -> Float:
     """Where the vertices of its skin are among others, (V, 3) [m]."""
     assert body.skin is not None
     places = body.skin.interpolation(body.nodes) @ rest
@@ -165,10 +153,8 @@ class _Truncated(TypedDict):
     compliance_error_without_residual: float
 
 
-def _truncated(body: "Body", modes: int) -> _Truncated:
+def _truncated(body: Body, modes: int) -> _Truncated:
     """How far a few modes are off under a fingertip, at nodes all over the skin."""
-    import numpy as np
-
     assert body.skin is not None
     held = body.skin.nodes[:, 0]
     nodes = np.unique(held[:: max(len(held) // 8, 1)])
@@ -205,40 +191,35 @@ def _ground(text: str) -> str | dict[str, object]:
     )
 
 
-def _table(numbers: "BodyReport", truncation: _Truncated | None) -> "Table":
-    from rich.box import SIMPLE_HEAD
-    from rich.table import Table
-
-    table = Table(box=SIMPLE_HEAD, title=literal(Path(numbers["file"]).name), title_justify="left", title_style="bold")
-    table.add_column("quantity")
-    table.add_column("value")
+def _table(numbers: BodyReport, truncation: _Truncated | None) -> Table:
+    shown = new_table("quantity", "value", title=literal(Path(numbers["file"]).name), text=2)
     cells = numbers["kind"] == "surface"
     size = " × ".join(number(extent) for extent in numbers["size_m"])
-    table.add_row("size", f"{size} m (unit: {numbers['unit']})")
-    table.add_row("volume", number(numbers["volume_m3"], "m³"))
-    table.add_row("mass", number(numbers["mass_kg"], "kg"))
-    table.add_row("moments of inertia", ", ".join(number(value) for value in numbers["inertia_kgm2"]) + " kg m²")
+    shown.add_row("size", f"{size} m (unit: {numbers['unit']})")
+    shown.add_row("volume", number(numbers["volume_m3"], "m³"))
+    shown.add_row("mass", number(numbers["mass_kg"], "kg"))
+    shown.add_row("moments of inertia", ", ".join(number(value) for value in numbers["inertia_kgm2"]) + " kg m²")
     rigid = numbers["model"] == "rigid"
     what = "triangles with edges of" if rigid else "cells of" if cells else "tetrahedra with edges of"
-    table.add_row("nodes", f"{numbers['nodes']:,}")
-    table.add_row("elements", f"{numbers['elements']:,} {what} {number(numbers['spacing_m'], 'm')}")
-    table.add_row("model", "linear elasticity" if numbers["model"] == "elastic" else numbers["model"])
+    shown.add_row("nodes", f"{numbers['nodes']:,}")
+    shown.add_row("elements", f"{numbers['elements']:,} {what} {number(numbers['spacing_m'], 'm')}")
+    shown.add_row("model", "linear elasticity" if numbers["model"] == "elastic" else numbers["model"])
     skin = numbers["skin"]
     if skin is not None:
-        table.add_row("skin", f"{skin['vertices']:,} vertices, {skin['triangles']:,} triangles")
+        shown.add_row("skin", f"{skin['vertices']:,} vertices, {skin['triangles']:,} triangles")
     held = numbers["held_nodes"]
     free = numbers["free_rigid_motions"]
     loose = f", {free} rigid motion{'s' * (free != 1)} free" if free else ""
-    table.add_row("held by", f"the ground at {held:,} node{'s' * (held != 1)}{loose}" if held else f"nothing{loose}")
+    shown.add_row("held by", f"the ground at {held:,} node{'s' * (held != 1)}{loose}" if held else f"nothing{loose}")
     heard = ", ".join(number(value, digits=3) for value in numbers["frequencies_hz"])
     each = ", each along all axes" if numbers["times_each"] > 1 else ""
     if not rigid:
-        table.add_row("first modes", f"{heard} Hz{each}")
+        shown.add_row("first modes", f"{heard} Hz{each}")
     if truncation is not None:
-        table.add_row(
+        shown.add_row(
             f"{truncation['modes']} modes",
             f"compliance at {len(truncation['contacts'])} skin nodes off by up to "
             f"{100 * truncation['compliance_error_without_residual']:.3g} %; with their static residuals, "
             f"{100 * truncation['compliance_error']:.1g} %",
         )
-    return table
+    return shown

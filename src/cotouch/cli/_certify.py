@@ -1,16 +1,16 @@
 """`cotouch certify`."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
+from rich.console import Console
 
 from cotouch.arrays import Float
-from cotouch.cli._output import literal, number, print_json
+from cotouch.cli._output import literal, new_table, number, print_json
 from cotouch.errors import ScenarioError
-
-if TYPE_CHECKING:
-    from cotouch.network import Certificate, Network
+from cotouch.interrupt import interruptible
+from cotouch.network import Certificate, Network, certify
 
 
 def run(path: Path, *, period: float, damping: str | None, as_json: bool) -> None:
@@ -22,9 +22,6 @@ def run(path: Path, *, period: float, damping: str | None, as_json: bool) -> Non
         damping: to check, as on the command line; None: designs one.
         as_json: whether to print one JSON object and nothing else on standard output.
     """
-    from cotouch.interrupt import interruptible
-    from cotouch.network import Network
-
     network = Network.read(path)
     given = None if damping is None else _numbers(damping, network.size)
     tables, spare = interruptible(_worked_out)(network, period, given)
@@ -38,10 +35,8 @@ _Tables: TypeAlias = "dict[str, dict[str, Certificate]]"
 _Spare: TypeAlias = dict[tuple[str, str], float]
 
 
-def _worked_out(network: "Network", period: float, given: list[float] | None) -> tuple[_Tables, _Spare]:
+def _worked_out(network: Network, period: float, given: list[float] | None) -> tuple[_Tables, _Spare]:
     """The certificates by basis and method, and how far the exact test would let each damping fall."""
-    from cotouch.network import certify
-
     # A step's sample is dated at its middle and used until the end of a step: one and a half steps on top of the delay.
     linked = network.adjacency() > 0
     ages = np.where(linked, network.delay + 1.5 * period, 0.0)
@@ -71,7 +66,7 @@ def _numbers(text: str, users: int) -> list[float]:
     return values
 
 
-def _as_json(network: "Network", period: float, tables: _Tables, spare: _Spare) -> dict[str, object]:
+def _as_json(network: Network, period: float, tables: _Tables, spare: _Spare) -> dict[str, object]:
     certificates = [
         {
             "basis": basis,
@@ -111,11 +106,7 @@ _TITLES = {
 }
 
 
-def _print(network: "Network", period: float, tables: _Tables, spare: _Spare) -> None:
-    from rich.box import SIMPLE_HEAD
-    from rich.console import Console
-    from rich.table import Table
-
+def _print(network: Network, period: float, tables: _Tables, spare: _Spare) -> None:
     console = Console()
     if not network.is_connected():
         console.print("[yellow]The links do not connect all users; each part is certified on its own.[/yellow]")
@@ -126,26 +117,21 @@ def _print(network: "Network", period: float, tables: _Tables, spare: _Spare) ->
             # With equal costs the smallest sum is the plain rule.
             if method != "sum" or not np.allclose(certificate.damping, certificates["rule"].damping, rtol=1e-9)
         }
-        table = Table(
-            box=SIMPLE_HEAD, title=_TITLES[basis].format(period=period), title_justify="left", title_style="bold"
-        )
-        table.add_column("damping B, Ns/m")
-        for method in shown:
-            table.add_column(method, justify="right")
+        grid = new_table("damping B, Ns/m", *shown, title=_TITLES[basis].format(period=period))
         columns = [certificate.damping.sum(axis=1) for certificate in shown.values()]
         for i, name in enumerate(network.users):
-            table.add_row(
+            grid.add_row(
                 f"user {literal(name)}",
                 *(number(float(column[i])) for column in columns),
                 end_section=i + 1 == network.size,
             )
-        table.add_row("largest", *(number(float(column.max(initial=0.0))) for column in columns))
-        table.add_row("sum", *(number(float(column.sum())) for column in columns), end_section=True)
+        grid.add_row("largest", *(number(float(column.max(initial=0.0))) for column in columns))
+        grid.add_row("sum", *(number(float(column.sum())) for column in columns), end_section=True)
         verdicts = ("passive" if certificate.holds else "[red]not proved[/red]" for certificate in shown.values())
-        table.add_row("verdict", *verdicts)
-        table.add_row("margin", *(_percent(certificate.margin) for certificate in shown.values()))
-        table.add_row("margin, exact test", *(_percent(spare[basis, method]) for method in shown))
-        console.print(table)
+        grid.add_row("verdict", *verdicts)
+        grid.add_row("margin", *(_percent(certificate.margin) for certificate in shown.values()))
+        grid.add_row("margin, exact test", *(_percent(spare[basis, method]) for method in shown))
+        console.print(grid)
         for covers in dict.fromkeys(certificate.covers for certificate in shown.values()):
             methods = [method for method, certificate in shown.items() if certificate.covers == covers]
             said = f"{' and '.join(methods)} cover{'s' * (len(methods) == 1)}"

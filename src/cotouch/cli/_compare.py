@@ -4,9 +4,11 @@ import json
 from pathlib import Path
 
 import numpy as np
+from rich.console import Console
 
-from cotouch.cli._output import counting, literal, number, print_json
-from cotouch.files import beside, folder
+from cotouch.cli._output import counting, literal, new_table, number, print_json, print_written
+from cotouch.files import beside, folder, write_netcdf
+from cotouch.laboratory import Study, broken, compare, mean_cost, write_report
 
 # In the folder of a comparison, and of a sweep.
 RESULTS, CELLS, _REPORT = "results.nc", "cells", "report.html"
@@ -22,9 +24,6 @@ def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) ->
         jobs: cells at once; -1: one per core.
         as_json: whether to print one JSON object and nothing else on standard output.
     """
-    from cotouch.files import write_netcdf
-    from cotouch.laboratory import Study, broken, compare, mean_cost, write_report
-
     study = Study.read(path)
     beside(folder(out), [RESULTS, _REPORT], (path, *study.files()))
     with counting("Compiling the kernels", _DOING, quiet=as_json) as progress:
@@ -42,16 +41,10 @@ def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) ->
         told = {"title": study.title, "costs": table, "problems": problems, "broken_promises_j": broken(found)}
         print_json({**told, "files": [str(file) for file in files]})
         return
-    from rich.box import SIMPLE_HEAD
-    from rich.console import Console
-    from rich.table import Table
 
     console = Console()
     for users in found["users"].values.tolist():
-        shown = Table(box=SIMPLE_HEAD, title=f"J with {users} users", title_justify="left", title_style="bold")
-        shown.add_column("law")
-        for network in networks:
-            shown.add_column(literal(network), justify="right")
+        shown = new_table("law", *map(literal, networks), title=f"J with {users} users")
         for law in laws:
             shown.add_row(literal(law), *(_cell(*costs[law, network, users]) for network in networks))
         console.print(shown)
@@ -60,8 +53,7 @@ def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) ->
         console.print(told, style="red", highlight=False, markup=False, soft_wrap=True)
     for problem in json.loads(found.attrs["problems"]):
         console.print(f"  – {problem}", style="yellow", highlight=False, markup=False, soft_wrap=True)
-    for file in files:
-        console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
+    print_written(console, files)
 
 
 _DOING = {"tune": "Tuning the laws", "score": "Running tasks", "map": "Searching for unsafe cases"}

@@ -6,16 +6,19 @@ import time
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, ExitStack, nullcontext
 from pathlib import Path
-from typing import TYPE_CHECKING
+
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
 
 from cotouch.cli._output import literal, print_json
 from cotouch.cli._progress import Progress
 from cotouch.cli._session import shown, stop_signals
+from cotouch.cli._table import balance, felt_words, verdict
 from cotouch.errors import SessionError
 from cotouch.files import folder
-
-if TYPE_CHECKING:
-    from cotouch.session import DemoOutcome, DemoSessionApi
+from cotouch.members import SessionFile, Status
+from cotouch.session import DemoOutcome, DemoSessionApi, all_move, demo_session, play
 
 _COLUMNS = (
     ("user", ""),
@@ -44,7 +47,7 @@ def run(
     headless: bool,
     as_json: bool,
     progress: Progress,
-    beside: "Callable[[DemoSessionApi], AbstractContextManager[object]] | None" = None,
+    beside: Callable[[DemoSessionApi], AbstractContextManager[object]] | None = None,
 ) -> None:
     """Plays the demonstration and says how it went.
 
@@ -61,9 +64,6 @@ def run(
         progress: says what takes time until there is something to see.
         beside: what goes on with the stage as long as there is one; a page's server, say.
     """
-    from cotouch.members import SessionFile
-    from cotouch.session import all_move, demo_session, play
-
     for name, given in (("--users", users), ("--body", body), ("--impair", impair or None)):
         if file is not None and given is not None:
             raise SessionError(f"{name} is given, but {file} sets that itself; leave one of them out")
@@ -84,7 +84,7 @@ def run(
         who = f"{session.slots} users, each in its own process" if session.slots > 1 else "one user"
         progress.tell(f"starting {who}; the first run compiles kernels")
 
-    def each(api: "DemoSessionApi", now: float) -> None:
+    def each(api: DemoSessionApi, now: float) -> None:
         if not (draws or quiet or sys.stderr.isatty() or api.acted or all_move(api)):
             here = len(api.opened.host.watch.members)
             progress.say(f"starting the users: {here} of {session.slots} have joined")
@@ -119,7 +119,7 @@ def run(
         sys.exit(1)
 
 
-def numbers(outcome: "DemoOutcome") -> dict[str, object]:
+def numbers(outcome: DemoOutcome) -> dict[str, object]:
     """The outcome for JSON."""
     return {
         "seconds": outcome.seconds,
@@ -136,24 +136,15 @@ def numbers(outcome: "DemoOutcome") -> dict[str, object]:
     }
 
 
-def _line(api: "DemoSessionApi") -> None:
+def _line(api: DemoSessionApi) -> None:
     """One line for a log."""
-    from cotouch.cli._table import balance
-
     members = api.opened.host.watch.members
     known = [seen.status for seen in members.values() if seen.status is not None]
     if known:
         sys.stderr.write(f"cotouch: {time.strftime('%H:%M:%S')} {len(members)} joined. {balance(known)}\n")
 
 
-def _print(outcome: "DemoOutcome") -> None:
-    from rich.console import Console
-    from rich.table import Table
-    from rich.text import Text
-
-    from cotouch.cli._table import balance, felt_words, verdict
-    from cotouch.members import Status
-
+def _print(outcome: DemoOutcome) -> None:
     table = Table(title=f"\nAfter {outcome.seconds:.0f} s", title_justify="left", title_style="bold", box=None)
     for name, unit in _COLUMNS:
         head = Text(name, style="bold").append(f"\n{unit}", style="dim")

@@ -4,17 +4,33 @@ import math
 import sys
 import time
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NotRequired, TypedDict
+from typing import NotRequired, TypedDict
 
 import numpy as np
+from rich.console import Console
+from rich.live import Live
+from rich.table import Column, Table
 
+from cotouch.arrays import Float
 from cotouch.cli._output import print_json
 from cotouch.cli._session import stop_signals
 from cotouch.errors import DeviceError
-
-if TYPE_CHECKING:
-    from cotouch.arrays import Float
-    from cotouch.haptics import Device, DeviceReading, Flag
+from cotouch.haptics import (
+    COUPLING,
+    Device,
+    DeviceChoice,
+    DeviceReading,
+    Flag,
+    ServoSettings,
+    conform,
+    device_names,
+    driver,
+    make_device,
+    open_device,
+    priority_refused,
+    vector_of,
+)
+from cotouch.pacing import real_time_refused
 
 _REDRAW = 10.0  # times a second
 
@@ -35,8 +51,6 @@ class _Row(TypedDict):
 
 def show(*, as_json: bool) -> None:
     """Lists all drivers that are installed, and what seems to be connected."""
-    from cotouch.haptics import COUPLING, device_names, driver
-
     rows: list[_Row] = []
     for name in device_names():
         try:
@@ -60,8 +74,6 @@ def show(*, as_json: bool) -> None:
     if as_json:
         print_json({"devices": rows, "coupling": dict(COUPLING)})
         return
-    from rich.console import Console
-    from rich.table import Column, Table
 
     named = [[f":{variant}" for variant in row["variants"]] + [f"{name}=" for name in row["options"]] for row in rows]
     longest = max((len(name) for names in named for name in names), default=0)  # or a name would be cut
@@ -85,9 +97,6 @@ def check(text: str, *, allow_motion: bool, force: bool, as_json: bool) -> bool:
         force: whether motors may be switched on.
         as_json: whether to print one JSON object and nothing else on standard output.
     """
-    from cotouch.haptics import DeviceChoice, ServoSettings, conform, make_device, priority_refused
-    from cotouch.pacing import real_time_refused
-
     choice = DeviceChoice.read(text)
     make_device(choice.name, **choice.options)  # what is wrong with the options is said at once
     found = conform(lambda: make_device(choice.name, **choice.options), allow_motion=allow_motion, force=force)
@@ -165,11 +174,8 @@ def monitor(text: str, *, seconds: float | None, as_json: bool) -> None:
 
 
 def _watch(
-    device: "Device", period: float, seconds: float | None, stopped: Callable[[], bool], *, quiet: bool
-) -> "tuple[int, float, DeviceReading]":
-    from rich.console import Console
-    from rich.live import Live
-
+    device: Device, period: float, seconds: float | None, stopped: Callable[[], bool], *, quiet: bool
+) -> tuple[int, float, DeviceReading]:
     begun = drawn = time.monotonic()
     cycles, slowest = 0, 0.0
     with Live(console=Console(stderr=True, quiet=quiet), auto_refresh=False) as live:
@@ -186,31 +192,25 @@ def _watch(
             time.sleep(max(0.0, period - (now - before)))
 
 
-def _line(reading: "DeviceReading") -> str:
+def _line(reading: DeviceReading) -> str:
     place = "  ".join(f"{axis} {1e3 * value:+7.2f}" for axis, value in zip("xyz", reading.position, strict=True))
     speed = float(np.linalg.norm(reading.velocity))
     turned = "" if reading.orientation is None else f"   {_turn(reading.orientation)}"
     return f"{place} mm{turned}   {speed:.3f} m/s   buttons {reading.buttons:b}   {', '.join(_flags(reading.flags))}"
 
 
-def _turn(orientation: "Float") -> str:
+def _turn(orientation: Float) -> str:
     """How a handle is turned, as a rotation vector in degrees."""
-    from cotouch.haptics import vector_of
-
     x, y, z, w = orientation.tolist()
     way = zip("xyz", vector_of((x, y, z, w)), strict=True)
     return "  ".join(f"{axis} {math.degrees(angle):+6.1f}" for axis, angle in way) + "°"
 
 
-def _flags(flags: "Flag") -> list[str]:
-    from cotouch.haptics import Flag
-
+def _flags(flags: Flag) -> list[str]:
     return [str(flag.name).lower() for flag in Flag if flags & flag]
 
 
-def _opened(text: str) -> "tuple[Device, Callable[[], None]]":
-    from cotouch.haptics import DeviceChoice, open_device
-
+def _opened(text: str) -> tuple[Device, Callable[[], None]]:
     choice = DeviceChoice.read(text)
     device = open_device(choice.name, **choice.options)
     return device, device.close

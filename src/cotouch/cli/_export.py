@@ -6,6 +6,7 @@ from pathlib import Path
 
 from cotouch.cli._output import print_json, working
 from cotouch.files import NETCDF, prepare
+from cotouch.recording import read_recording, recordings_dataset, save_dataset
 
 
 def run(files: Sequence[Path], *, out: Path, as_json: bool) -> None:
@@ -16,8 +17,6 @@ def run(files: Sequence[Path], *, out: Path, as_json: bool) -> None:
         out: file to write; None: none.
         as_json: whether to print one JSON object and nothing else on standard output.
     """
-    from cotouch.recording import read_recording, recordings_dataset, save_dataset
-
     prepare(out, NETCDF, files)
     with working("Reading ...", quiet=as_json):
         recordings = [read_recording(file) for file in files]

@@ -7,10 +7,15 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from rich.console import Console
+
 from cotouch.cli._compare import CELLS, RESULTS
-from cotouch.cli._output import counting, literal, number, print_json, working
+from cotouch.cli._output import counting, literal, new_table, number, print_json, print_written, working
 from cotouch.errors import ScenarioError, printable
-from cotouch.files import beside, folder
+from cotouch.files import beside, folder, write_netcdf
+from cotouch.laboratory import FIGURES, impedance, impedance_figure, values_of
+from cotouch.laboratory import sweep as sweep_scenario
+from cotouch.scenario import Scenario
 
 _FIGURE = "impedance.png"
 
@@ -29,9 +34,6 @@ def feel(
         measure: simulate, beside predicting.
         as_json: print JSON instead of a table.
     """
-    from cotouch.laboratory import impedance, impedance_figure
-    from cotouch.scenario import Scenario
-
     scenario = Scenario.read(path)
     if law is not None:
         scenario = scenario.replace(synchronisation__law=law)
@@ -48,32 +50,23 @@ def feel(
         frequency = found["frequency"].values.tolist()
         print_json({**attrs, "frequency_hz": frequency, **columns, "files": [str(file) for file in written]})
         return
-    from rich.box import SIMPLE_HEAD
-    from rich.console import Console
-    from rich.table import Table
 
     console = Console()
     console.print(
         f"Law {literal(found.attrs['law'])}: what user {user} feels, others {others}", style="bold", highlight=False
     )
-    table = Table(box=SIMPLE_HEAD)
     kinds = ["predicted", "measured"] if measure else ["predicted"]
-    for heading in ("", *kinds):
-        table.add_column(heading, justify="right" if heading else "left")
+    table = new_table("", *kinds)
     for quantity, unit in (("drag", "Ns/m"), ("mass", "kg"), ("stiffness", "N/m")):
         values = [found.attrs[f"{kind}_{quantity}"] for kind in kinds]
         table.add_row(f"{quantity} [dim]{unit}[/dim]", *(_known(value) for value in values))
     console.print(table)
-    table = Table(box=SIMPLE_HEAD)
-    table.add_column("Hz", justify="right")
-    for kind in kinds:
-        table.add_column(f"Z {kind}\nNs/m", justify="right")
+    table = new_table("Hz", *(f"Z {kind}\nNs/m" for kind in kinds), text=0)
     for index, frequency in enumerate(found["frequency"].values.tolist()):
         parts = [(columns[f"{kind}_real"][index], columns[f"{kind}_imag"][index]) for kind in kinds]
         table.add_row(number(frequency, digits=3), *(_complex(*part) for part in parts))
     console.print(table)
-    for file in written:
-        console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
+    print_written(console, written)
 
 
 def _known(value: float) -> str:
@@ -95,11 +88,6 @@ def sweep(path: Path, *, vary: Sequence[str], out: Path | None, dask: str | None
         jobs: how many runs are done at once; -1: one per core.
         as_json: print JSON instead of a table.
     """
-    from cotouch.files import write_netcdf
-    from cotouch.laboratory import FIGURES, values_of
-    from cotouch.laboratory import sweep as sweep_scenario
-    from cotouch.scenario import Scenario
-
     scenario = Scenario.read(path)
     if out is not None:
         beside(folder(out), [RESULTS], (path, *scenario.files()))
@@ -121,22 +109,16 @@ def sweep(path: Path, *, vary: Sequence[str], out: Path | None, dask: str | None
     if as_json:
         print_json({"runs": rows, "units": {name: unit for name, (unit, _) in FIGURES.items()}})
         return
-    from rich.box import SIMPLE_HEAD
-    from rich.console import Console
-    from rich.table import Table
 
-    listed = Table(box=SIMPLE_HEAD)
-    for option in options:
-        listed.add_column(literal(option))
-    for name, (unit, _) in FIGURES.items():
-        if name != "finished":
-            listed.add_column(f"{name.removeprefix('law_')}\n{unit}", justify="right")
+    units = {name: unit for name, (unit, _) in FIGURES.items() if name != "finished"}
+    headings = (f"{name.removeprefix('law_')}\n{unit}" for name, unit in units.items())
+    listed = new_table(*map(literal, options), *headings, text=len(options))
     for row in rows:
         cells = [_cell(row[option]) for option in options]
         if row["problem"]:
             listed.add_row(*cells, "–")
             continue
-        numbers = [number(float(row[name]), digits=3) for name in FIGURES if name != "finished"]
+        numbers = [number(float(row[name]), digits=3) for name in units]
         active = row["made"] > row["law_seed"] + 1e-9 or not row["finished"]
         listed.add_row(*cells, *numbers, style="red" if active else None)
     Console().print(listed)

@@ -182,7 +182,6 @@ def demo(
 
     By default these are the paper's five users, with the paper's delays.
     """
-    from cotouch.cli._demo import run
     from cotouch.cli._page import page as paged
     from cotouch.cli._page import watched
     from cotouch.cli._progress import Progress
@@ -190,6 +189,8 @@ def demo(
     wanted = not (headless or as_json) if page is None else page
     with Progress(quiet=headless or as_json) as progress:
         progress.say("starting")  # before what the page and the session need is loaded, which takes seconds
+        from cotouch.cli._demo import run
+
         with paged(wanted=wanted, port=port, listen=page_listen, tell=progress.tell) as beside:
             run(
                 file=file,

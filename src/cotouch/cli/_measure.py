@@ -1,15 +1,15 @@
 """`cotouch measure`."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from cotouch.cli._output import literal, print_json, working
+from rich.console import Console
+
+from cotouch.cli._output import literal, new_table, print_json, working
 from cotouch.cli._session import stop_signals, typed
+from cotouch.control import Invitation
 from cotouch.errors import printable
 from cotouch.files import prepare, write
-
-if TYPE_CHECKING:
-    from cotouch.session import Measured
+from cotouch.session import Measured, measure
 
 
 def run(invitation: str, *, seconds: float, listen: str | None, out: Path | None, as_json: bool) -> None:
@@ -22,9 +22,6 @@ def run(invitation: str, *, seconds: float, listen: str | None, out: Path | None
         out: file to write; None: none.
         as_json: whether to print one JSON object and nothing else on standard output.
     """
-    from cotouch.control import Invitation
-    from cotouch.session import measure
-
     if out is not None:
         prepare(out, (".toml",))
     decoded = Invitation.decode(typed() if invitation == "-" else invitation)
@@ -38,7 +35,7 @@ def run(invitation: str, *, seconds: float, listen: str | None, out: Path | None
         _print(found, out)
 
 
-def numbers(found: "Measured") -> dict[str, object]:
+def numbers(found: Measured) -> dict[str, object]:
     """What was measured, for JSON; users are numbered from 1."""
     network = found.network
     return {
@@ -51,32 +48,20 @@ def numbers(found: "Measured") -> dict[str, object]:
     }
 
 
-def _print(found: "Measured", out: Path | None) -> None:
-    from rich.box import SIMPLE_HEAD
-    from rich.console import Console
-    from rich.table import Table
-
+def _print(found: Measured, out: Path | None) -> None:
     network = found.network
     missing = {*found.missing, *((b, a) for a, b in found.missing)}
     linked = {*network.links, *((b, a) for a, b in network.links)}
-    table = Table(
-        box=SIMPLE_HEAD,
-        title="One-way delay, ms",
-        title_justify="left",
-        title_style="bold",
-    )
-    table.add_column("")
-    for name in network.users:
-        table.add_column(literal(name), justify="right")
+    shown = new_table("", *map(literal, network.users), title="One-way delay, ms")
     for i, name in enumerate(network.users):
         cells = [
             "" if i == j else "?" if (i, j) in missing else f"{1e3 * network.delay[i, j]:.1f}"
             + ("*" if (i, j) in linked else " ")
             for j in range(network.size)
         ]  # fmt: skip
-        table.add_row(literal(name), *cells)
+        shown.add_row(literal(name), *cells)
     console = Console()
-    console.print(table)
+    console.print(shown)
     notes = ["Half of the shortest round trip; * marks current links."]
     if missing:
         notes.append("? marks pairs not measured: they reach each other only through the relay.")

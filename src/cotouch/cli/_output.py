@@ -3,12 +3,17 @@
 import json
 import math
 import sys
-from collections.abc import Callable, Generator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, cast
+from pathlib import Path
+from typing import cast
 
-if TYPE_CHECKING:
-    from rich.console import Console
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.markup import escape
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.table import Column, Table
+from rich.text import Text
 
 from cotouch.errors import printable
 
@@ -49,12 +54,10 @@ def number(value: float | None, unit: str = "", digits: int = 4) -> str:
 
 def literal(text: object) -> str:
     """A name or a path as rich may have it: no markup, and nothing that a terminal would obey."""
-    from rich.markup import escape
-
     return escape(printable(str(text)))
 
 
-def print_note(console: "Console", colour: str, text: str) -> None:
+def print_note(console: Console, colour: str, text: str) -> None:
     """Prints a sentence as an item of a list; at a terminal in lines that end between words.
 
     Args:
@@ -62,8 +65,6 @@ def print_note(console: "Console", colour: str, text: str) -> None:
         colour: of the dot before it.
         text: markup, as `literal` makes it.
     """
-    from rich.table import Table
-
     dot = f"  [{colour}]•[/{colour}]"
     if not console.is_terminal:
         console.print(dot, text, highlight=False, soft_wrap=True)
@@ -71,6 +72,29 @@ def print_note(console: "Console", colour: str, text: str) -> None:
     row = Table.grid(padding=(0, 1))
     row.add_row(dot, text)
     console.print(row, highlight=False)
+
+
+def print_written(console: Console, files: Iterable[Path]) -> None:
+    """Prints which files were written.
+
+    Args:
+        console: to print on.
+        files: of them.
+    """
+    for file in files:
+        console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
+
+
+def new_table(*headings: str, title: str | None = None, text: int = 1) -> Table:
+    """A table with a line below its headings only.
+
+    Args:
+        headings: of its columns.
+        title: above it; None: nothing.
+        text: how many columns from the left are text; the others are numbers.
+    """
+    columns = [Column(heading, justify="left" if at < text else "right") for at, heading in enumerate(headings)]
+    return Table(*columns, box=SIMPLE_HEAD, title=title, title_justify="left", title_style="bold")
 
 
 @contextmanager
@@ -84,7 +108,6 @@ def working(text: str, *, quiet: bool) -> Generator[None]:
     if quiet or not sys.stderr.isatty():
         yield
         return
-    from rich.console import Console
 
     with Console(stderr=True).status(text):
         yield
@@ -99,9 +122,6 @@ def counting(first: str, doing: Mapping[str, str], *, quiet: bool) -> Generator[
         doing: what goes on, for each name of what is counted.
         quiet: whether to show nothing.
     """
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
-
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     with Progress(
         *columns, console=Console(stderr=True), transient=True, disable=quiet or not sys.stderr.isatty()
@@ -115,7 +135,7 @@ def counting(first: str, doing: Mapping[str, str], *, quiet: bool) -> Generator[
 
 
 def print_columns(
-    console: "Console", title: str, rows: Sequence[str], columns: Sequence[tuple[str, Sequence[str]]]
+    console: Console, title: str, rows: Sequence[str], columns: Sequence[tuple[str, Sequence[str]]]
 ) -> None:
     """Prints numbers; where all columns do not fit beside each other, as several tables, so that no number is cut.
 
@@ -125,9 +145,6 @@ def print_columns(
         rows: what each row is.
         columns: heading of each, and its entries, one for each row.
     """
-    from rich.box import SIMPLE_HEAD
-    from rich.table import Table
-    from rich.text import Text
 
     def plain(text: str) -> Text:
         return Text("\n".join(map(printable, text.split("\n"))))

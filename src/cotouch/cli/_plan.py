@@ -9,18 +9,28 @@ from collections.abc import Callable, Generator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from rich.console import Console
 
 from cotouch.cli._output import number, print_json, working
 from cotouch.cli._plan_extras import DRAWN, Extras, draw, tuned
 from cotouch.cli._plan_tables import UNITS, print_counts, print_plan, print_tuned, said_links
 from cotouch.errors import NetworkError, ScenarioError
 from cotouch.files import beside, folder, read_toml
+from cotouch.network import Network, consensus_lags
+from cotouch.planning import (
+    FIRST,
+    CountsInterrupted,
+    LinkCounts,
+    Plan,
+    PlanInterrupted,
+    compiles,
+    first_choice,
+    plan,
+    plan_counts,
+)
 from cotouch.units import user_index
-
-if TYPE_CHECKING:
-    from cotouch.network import Network
-    from cotouch.planning import LinkCounts, Plan
 
 # What a part of the work has where the limit of time is used up [s].
 _LEAST_SECONDS = 0.1
@@ -61,8 +71,6 @@ def run(
         quantile: of the round trips that counts, in (0, 1].
         **options: of the library call, as named there.
     """
-    from cotouch.planning import FIRST, CountsInterrupted, LinkCounts, PlanInterrupted, compiles, plan, plan_counts
-
     network = _network(path, delays, pick, spring, quantile)
     options["objective"] = options["objective"] or _objective(network, options["time_unit"], options["rounding"])
     counts = _counts(links, network.size, len(network.with_links(None).links))
@@ -118,10 +126,8 @@ def _share(left: float | None, parts: int) -> float | None:
     return None if left is None else max(left / parts, _LEAST_SECONDS)
 
 
-def _objective(network: "Network", time_unit: float, rounding: str) -> str:
+def _objective(network: Network, time_unit: float, rounding: str) -> str:
     """Which objective is meant where none is named: measured delays are on no grid, so consensus has none."""
-    from cotouch.network import consensus_lags
-
     if time_unit != _TIME_UNIT or rounding != "exact":
         return "consensus"
     try:
@@ -135,10 +141,8 @@ def _objective(network: "Network", time_unit: float, rounding: str) -> str:
     return "consensus"
 
 
-def _first(network: "Network", counts: Sequence[int], options: dict[str, Any]) -> None:
+def _first(network: Network, counts: Sequence[int], options: dict[str, Any]) -> None:
     """Something to begin with while kernels compile, on standard error."""
-    from cotouch.planning import first_choice
-
     print("Compiling, which takes about two minutes, once on this machine.", file=sys.stderr)  # noqa: T201
     kept = ("top", "method", "seconds", "seed", "jobs", "dask")
     asked = {name: option for name, option in options.items() if name not in kept}
@@ -154,10 +158,8 @@ def _first(network: "Network", counts: Sequence[int], options: dict[str, Any]) -
     )
 
 
-def _network(path: Path | None, delays: Sequence[Path], pick: str | None, spring: float, quantile: float) -> "Network":
+def _network(path: Path | None, delays: Sequence[Path], pick: str | None, spring: float, quantile: float) -> Network:
     """The file's network, or that of a table of round trips."""
-    from cotouch.network import Network
-
     if delays:
         if path is not None:
             raise ScenarioError(f"{path} and --delays both give users and delays; use only one of them")
@@ -198,8 +200,8 @@ def _counts(text: str, size: int, possible: int) -> list[int]:
 
 
 def _tell(
-    found: "Plan",
-    every: "LinkCounts | None",
+    found: Plan,
+    every: LinkCounts | None,
     result: Extras,
     top: int,
     *,
@@ -233,7 +235,7 @@ def _object(path: Path | None, given: dict[str, float | None], *, read: bool) ->
     return result | said
 
 
-def _pairs(network: "Network", option: str, texts: Sequence[str]) -> list[tuple[int, int]]:
+def _pairs(network: Network, option: str, texts: Sequence[str]) -> list[tuple[int, int]]:
     """Links such as 1-2 or Ann-Ben; several may stand in one text, in quotes where a name has a comma."""
     result: list[tuple[int, int]] = []
     for text in texts:
@@ -254,7 +256,7 @@ def _pairs(network: "Network", option: str, texts: Sequence[str]) -> list[tuple[
     return result
 
 
-def _readings(network: "Network", said: str) -> list[tuple[int, int]]:
+def _readings(network: Network, said: str) -> list[tuple[int, int]]:
     """The links that a text may stand for: names may have dashes."""
     cuts = [(said[:at], said[at + 1 :]) for at, letter in enumerate(said) if letter == "-"]
     users = [(_user(network, a.strip()), _user(network, b.strip())) for a, b in cuts]
@@ -266,7 +268,7 @@ def _names(text: str) -> list[str]:
     return [name for part in csv.reader([text], skipinitialspace=True) for name in map(str.strip, part) if name]
 
 
-def _user(network: "Network", said: str) -> int | None:
+def _user(network: Network, said: str) -> int | None:
     """Index of a user by name or else by number; a number beyond the last user is left to the planner to refuse."""
     if said in network.users:
         return network.users.index(said)
@@ -279,7 +281,6 @@ def _progress(*, quiet: bool) -> Generator[Callable[[int, int, float], None] | N
     if quiet or not sys.stderr.isatty():
         yield None
         return
-    from rich.console import Console
 
     with Console(stderr=True).status("Searching ...") as status:
 

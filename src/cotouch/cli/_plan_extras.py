@@ -7,15 +7,31 @@ from time import monotonic
 from typing import TYPE_CHECKING, Any, TypedDict, TypeVar
 
 from cotouch.cli._output import number
-from cotouch.cli._plan_tables import LABELS, UNITS
+from cotouch.cli._plan_tables import LABELS, UNITS, TunedSprings
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.files import write
+from cotouch.interrupt import check, interruptible
+from cotouch.network import Network
+from cotouch.planning import (
+    JointInterrupted,
+    LinkCounts,
+    Plan,
+    ProblemOptions,
+    Tuned,
+    TuningInterrupted,
+    knee,
+    networks,
+    plan,
+    plan_springs,
+    ranks,
+    survey,
+    tune_springs,
+    until,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from cotouch.network import Network
-    from cotouch.planning import LinkCounts, Plan, ProblemOptions, Tuned
 
 T = TypeVar("T")
 
@@ -30,20 +46,6 @@ _OF_TUNING, _LEAST_TUNING = 0.85, 0.3
 _LOADING = 2.0
 
 
-class TunedSprings(TypedDict):
-    """Springs that were tuned, of links by names of users, and which place these links had before."""
-
-    links: list[list[str]]
-    rank: int | None
-    spring: list[float]
-    damping: list[float]
-    damping_limit: float
-    start_factor: float
-    before: float
-    after: float
-    simulated: float | None
-
-
 class Extras(TypedDict, total=False):
     """What a plan says besides: tuned springs, and files that were drawn."""
 
@@ -53,8 +55,8 @@ class Extras(TypedDict, total=False):
 
 def tuned(
     result: Extras,
-    network: "Network",
-    found: "Plan",
+    network: Network,
+    found: Plan,
     limit: float,
     body: dict[str, Any],
     options: dict[str, Any],
@@ -72,7 +74,6 @@ def tuned(
         options: of the plan.
     """
     begun, seconds = monotonic(), options["seconds"]
-    from cotouch.planning import JointInterrupted, TuningInterrupted, plan_springs, tune_springs
     from cotouch.study import confirmed
 
     if seconds is not None:  # loading took its share, and a run beside the prediction takes one
@@ -80,7 +81,7 @@ def tuned(
     limit = limit if options["damping_limit"] is None else min(limit, options["damping_limit"])
     drag = options["drag_limit"]
 
-    def kept(one: "Tuned", rank: int | None = 1) -> TunedSprings:
+    def kept(one: Tuned, rank: int | None = 1) -> TunedSprings:
         users = network.users
         told = result["tuned"] = {
             "links": [[users[a], users[b]] for a, b in one.network.links],
@@ -131,8 +132,6 @@ def _within(deadline: float | None, work: Callable[[], T]) -> T | None:
     """What a function gives, or None if that lasts beyond a time of `monotonic`, or can hardly do otherwise."""
     if deadline is not None and deadline - monotonic() < _LOADING:
         return None
-    from cotouch.interrupt import check, interruptible
-    from cotouch.planning import until
 
     def limited() -> T | None:
         try:
@@ -145,9 +144,7 @@ def _within(deadline: float | None, work: Callable[[], T]) -> T | None:
     return interruptible(limited)()
 
 
-def draw(
-    path: Path, network: "Network", found: "Plan", every: "LinkCounts | None", options: dict[str, Any]
-) -> list[str]:
+def draw(path: Path, network: Network, found: Plan, every: LinkCounts | None, options: dict[str, Any]) -> list[str]:
     """The best choice beside the worst; one objective against the other; what more links bring and cost.
 
     Args:
@@ -161,7 +158,6 @@ def draw(
         Names of the files.
     """
     from cotouch.drawing import drawn
-    from cotouch.planning import networks
 
     unit, seconds = UNITS[found.objective], options["seconds"]
     deadline = None if seconds is None else monotonic() + seconds
@@ -185,10 +181,8 @@ def draw(
     return names
 
 
-def _ranks(network: "Network", found: "Plan", options: dict[str, Any]) -> "Figure | None":
+def _ranks(network: Network, found: Plan, options: dict[str, Any]) -> "Figure | None":
     """Consensus against decay; None where there are too many choices, or the delays are on no grid."""
-    from cotouch.planning import ranks, survey
-
     if found.choices > _MOST_RANKED or options["lost"] != "nothing":
         return None
     named = ("require", "forbid", "max_degree", "damping_limit", "drag_limit", "mass", "damping", "stiffness")
@@ -210,9 +204,9 @@ def _ranks(network: "Network", found: "Plan", options: dict[str, Any]) -> "Figur
 
 
 def _knee(
-    network: "Network",
-    found: "Plan",
-    every: "LinkCounts | None",
+    network: Network,
+    found: Plan,
+    every: LinkCounts | None,
     deadline: float | None,
     options: dict[str, Any],
 ) -> "Figure":
@@ -221,8 +215,6 @@ def _knee(
     What the plan itself found is shown as it is, so that figure and plan agree. The numbers around begin from it, so
     that none looks worse for the time it was given.
     """
-    from cotouch.planning import knee, plan
-
     plans = {len(one.best.links): one for one in ((found,) if every is None else every.plans)}
     asked = len(found.best.links)
     possible = len(network.with_links(None).links) - len(options["forbid"])

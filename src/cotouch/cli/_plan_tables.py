@@ -1,15 +1,14 @@
 """What `cotouch plan` found, as tables and sentences."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TypedDict
 
-from cotouch.cli._output import literal, number
+from rich.console import Console
+
+from cotouch.cli._output import literal, new_table, number
 from cotouch.errors import printable
-
-if TYPE_CHECKING:
-    from cotouch.cli._plan_extras import TunedSprings
-    from cotouch.network import Pair
-    from cotouch.planning import LinkCounts, Plan
+from cotouch.network import Pair
+from cotouch.planning import LinkCounts, Plan
 
 UNITS = {"consensus": "", "decay": "1/s", "damping": "Ns/m", "drag": "Ns/m", "feel": "Ns/m"}
 # Names of links that take more letters than this do not fit into the table and are listed below it.
@@ -31,23 +30,28 @@ _TITLES = {
 }
 
 
-def print_plan(found: "Plan") -> None:
-    from rich.box import SIMPLE_HEAD
-    from rich.console import Console
-    from rich.table import Table
+class TunedSprings(TypedDict):
+    """Springs that were tuned, of links by names of users, and which place these links had before."""
 
+    links: list[list[str]]
+    rank: int | None
+    spring: list[float]
+    damping: list[float]
+    damping_limit: float
+    start_factor: float
+    before: float
+    after: float
+    simulated: float | None
+
+
+def print_plan(found: Plan) -> None:
     console = Console()
     unit = UNITS[found.objective]
-    table = Table(
-        box=SIMPLE_HEAD, title=f"Links by {_TITLES[found.objective]}", title_justify="left", title_style="bold"
-    )
     texts = {choice.links: said_links(found.users, choice.links) for choice in (*found.top, found.worst)}
     long = max(map(len, texts.values())) > _MOST_LETTERS
-    table.add_column("")
-    if not long:
-        table.add_column("links")
-    for heading in (f"value{', ' + unit if unit else ''}", "time constant, s", "worst path, s", "largest B, Ns/m"):
-        table.add_column(heading, justify="right")
+    texts_shown = [""] if long else ["", "links"]
+    numbers = (f"value{', ' + unit if unit else ''}", "time constant, s", "worst path, s", "largest B, Ns/m")
+    table = new_table(*texts_shown, *numbers, title=f"Links by {_TITLES[found.objective]}", text=len(texts_shown))
     rows = [(str(place), choice) for place, choice in enumerate(found.top, start=1)]
     for place, (title, choice) in enumerate(
         [*rows, (found.worst_status.replace("proved", "worst"), found.worst)], start=1
@@ -73,7 +77,7 @@ def print_plan(found: "Plan") -> None:
         console.print(note, highlight=False, markup=False)
 
 
-def _verdict(found: "Plan") -> str:
+def _verdict(found: Plan) -> str:
     graphs, choices = _many(found.graphs, "graph"), _many(found.choices, "choice")
     connected = graphs.replace("graph", "connected graph")
     lines = {
@@ -102,7 +106,7 @@ def _many(count: int, what: str) -> str:
     return f"{size} {what}{'s' * (count != 1)}"
 
 
-def _gap(found: "Plan") -> str:
+def _gap(found: Plan) -> str:
     """How far from the best possible what was found may be."""
     if found.status == "proved":
         return ""
@@ -115,16 +119,12 @@ def _gap(found: "Plan") -> str:
     )
 
 
-def print_counts(every: "LinkCounts") -> None:
+def print_counts(every: LinkCounts) -> None:
     """What each number of links gives, and where more stop paying."""
-    from rich.box import SIMPLE_HEAD
-    from rich.console import Console
-    from rich.table import Table
-
     unit = UNITS[every.best.objective]
-    table = Table(box=SIMPLE_HEAD, title="By number of links", title_justify="left", title_style="bold")
-    for heading in ("links", f"value{', ' + unit if unit else ''}", "largest B, Ns/m", "drag, Ns/m", "status"):
-        table.add_column(heading, justify="left" if heading == "status" else "right")
+    headings = ("links", f"value{', ' + unit if unit else ''}", "largest B, Ns/m", "drag, Ns/m")
+    table = new_table(*headings, title="By number of links", text=0)
+    table.add_column("status")
     for one in every.plans:
         best = one.best
         table.add_row(
@@ -143,9 +143,7 @@ def print_counts(every: "LinkCounts") -> None:
     )
 
 
-def print_tuned(tuned: "TunedSprings") -> None:
-    from rich.console import Console
-
+def print_tuned(tuned: TunedSprings) -> None:
     console = Console()
     springs = ", ".join(
         f"{said_link(*link)} {number(k)}" for link, k in zip(tuned["links"], tuned["spring"], strict=True)
@@ -166,7 +164,7 @@ def print_tuned(tuned: "TunedSprings") -> None:
     )
 
 
-def said_links(users: Sequence[str], links: "Sequence[Pair]") -> str:
+def said_links(users: Sequence[str], links: Sequence[Pair]) -> str:
     """Links by the names of their users, with commas where a name has a space.
 
     Args:

@@ -2,18 +2,19 @@
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, TypedDict
+from typing import TypedDict
 
 import numpy as np
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.live import Live
+from rich.table import Table
 
 from cotouch.arrays import Float
 from cotouch.cli._output import literal, number, print_json
+from cotouch.peer import LinkState
+from cotouch.recording import Recording, play, read_recording
 from cotouch.units import user_number
-
-if TYPE_CHECKING:
-    from rich.table import Table
-
-    from cotouch.recording import Recording
 
 # Of the table, while it plays; and of the lines where there is no terminal, in seconds of the recording.
 _REFRESH = 10.0
@@ -32,8 +33,6 @@ def run(path: Path, *, speed: float, start: float, stop: float | None, as_json: 
         stop: likewise; None: the end.
         as_json: whether to print one JSON object and nothing else on standard output.
     """
-    from cotouch.recording import play, read_recording
-
     recording = read_recording(path)
     if as_json:
         print_json(_summary(recording))
@@ -47,8 +46,6 @@ def run(path: Path, *, speed: float, start: float, stop: float | None, as_json: 
                 sys.stdout.write(_line(recording, step.row, step.time) + "\n")
                 sys.stdout.flush()
     else:
-        from rich.live import Live
-
         row, time = 0, 0.0
         with Live(refresh_per_second=_REFRESH, transient=True) as live:
             for step in steps:
@@ -61,13 +58,11 @@ def run(path: Path, *, speed: float, start: float, stop: float | None, as_json: 
         sys.stderr.write(f"{_gaps(recording)}\n")
 
 
-def _print(table: "Table") -> None:
-    from rich.console import Console
-
+def _print(table: Table) -> None:
     Console().print(table)
 
 
-def _gaps(recording: "Recording") -> str:
+def _gaps(recording: Recording) -> str:
     missing = f"{recording.missing} steps are missing" if recording.missing else ""
     if recording.cut is None:
         return f"in {recording.path} {missing}"
@@ -90,7 +85,7 @@ class _Now(TypedDict):
     links: list[_Link]
 
 
-def _now(recording: "Recording", row: int) -> _Now:
+def _now(recording: Recording, row: int) -> _Now:
     """What there is to say of one step and those just before it."""
     columns = recording.columns
     end = float(columns["end"][row])
@@ -117,8 +112,6 @@ def _now(recording: "Recording", row: int) -> _Now:
 
 
 def _state(code: int, age: float) -> str:
-    from cotouch.peer import LinkState
-
     if not np.isfinite(age):
         return "no link"
     return LinkState(code).name.lower() if code in list(LinkState) else f"state {code}"
@@ -129,7 +122,7 @@ def _age(age: float, unit: str = "") -> str:
     return number(1e3 * age, unit, 3) if np.isfinite(age) else ""
 
 
-def _line(recording: "Recording", row: int, time: float) -> str:
+def _line(recording: Recording, row: int, time: float) -> str:
     now = _now(recording, row)
     links = ", ".join(
         " ".join(filter(None, (f"{user_number(link['neighbour'])}:", _age(link["age"], "ms"), link["state"])))
@@ -141,10 +134,7 @@ def _line(recording: "Recording", row: int, time: float) -> str:
     )
 
 
-def _table(recording: "Recording", row: int, time: float) -> "Table":
-    from rich.box import SIMPLE_HEAD
-    from rich.table import Table
-
+def _table(recording: Recording, row: int, time: float) -> Table:
     now = _now(recording, row)
     caption = (
         f"{number(now['rate'], 'Hz')} · T {number(1e3 * now['T'], 'ms', 3)} · force {number(now['force'], 'N', 3)} · "
@@ -166,12 +156,12 @@ def _table(recording: "Recording", row: int, time: float) -> "Table":
     return table
 
 
-def _seconds(recording: "Recording") -> float:
+def _seconds(recording: Recording) -> float:
     columns = recording.columns
     return float(columns["end"][-1] - columns["end"][0] + columns["T"][0])
 
 
-def _summary(recording: "Recording") -> dict[str, object]:
+def _summary(recording: Recording) -> dict[str, object]:
     columns = recording.columns
     T, force = columns["T"], np.linalg.norm(columns["force"].sum(axis=1), axis=-1)
     counts: dict[str, int] = {}

@@ -5,13 +5,17 @@ import sys
 import webbrowser
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.table import Table
+from rich.table import Table as Grid
 
 from cotouch.cli._output import number, print_json
 from cotouch.files import folder
-
-if TYPE_CHECKING:
-    from rich.table import Table
+from cotouch.study import reproduce
 
 
 def run(out: Path, *, as_json: bool) -> None:
@@ -22,14 +26,11 @@ def run(out: Path, *, as_json: bool) -> None:
         as_json: whether to print one JSON object and nothing else on standard output.
     """
     folder(out)
-    from cotouch.study import reproduce
 
     if as_json:
         result = reproduce(out)
         print_json(result.numbers)
         return
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
@@ -52,10 +53,8 @@ def run(out: Path, *, as_json: bool) -> None:
         webbrowser.open(result.report.resolve().as_uri())
 
 
-def _tables(numbers: dict[str, Any]) -> Iterator["Table"]:
+def _tables(numbers: dict[str, Any]) -> Iterator[Table]:
     """What fits on a screen of what was found."""
-    from rich.box import SIMPLE_HEAD
-    from rich.table import Table as Grid
 
     def table(title: str, *headings: str) -> Grid:
         made = Grid(box=SIMPLE_HEAD, title=title, title_justify="left", title_style="bold")

@@ -215,8 +215,7 @@ def stop_signals() -> Generator[Callable[[], bool]]:
     asked: list[int] = []
     looking: list[bool] = []
 
-    def ask(number: int, frame: object) -> None:
-        del frame
+    def ask(number: int, frame: object) -> None:  # noqa: ARG001
         asked.append(number)
         if len(asked) > 1 or not looking:
             raise KeyboardInterrupt

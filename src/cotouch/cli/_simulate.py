@@ -1,19 +1,41 @@
 """`cotouch simulate`."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, TypedDict
+from typing import TypedDict
 
 import numpy as np
+import xarray as xr
+from rich.console import Console
+from rich.table import Table
 
-from cotouch.cli._output import literal, number, print_columns, print_json, print_note, working
+from cotouch.cli._output import (
+    literal,
+    new_table,
+    number,
+    print_columns,
+    print_json,
+    print_note,
+    print_written,
+    working,
+)
 from cotouch.files import NETCDF, beside, folder, list_of, prepare
-
-if TYPE_CHECKING:
-    import xarray as xr
-    from rich.console import Console
-    from rich.table import Table
-
-    from cotouch.simulation import Judged, Numbers, RigidToolSummary, Summary, ToolSummary
+from cotouch.interrupt import interruptible
+from cotouch.scenario import Scenario
+from cotouch.simulation import (
+    FIGURES,
+    HTML,
+    Judged,
+    Numbers,
+    RigidToolSummary,
+    Summary,
+    ToolSummary,
+    frame_rate,
+    save,
+    save_figures,
+    summary,
+)
+from cotouch.simulation import animation as animation_of
+from cotouch.simulation import simulate as simulate_scenario
 
 # Waiting that takes less than this of the rate asked for is not worth a word.
 _AS_ASKED = 0.99
@@ -32,11 +54,6 @@ def run(
         law: of the links, instead of the scenario's; None: the scenario's.
         as_json: whether to print one JSON object and nothing else on standard output.
     """
-    from cotouch.interrupt import interruptible
-    from cotouch.scenario import Scenario
-    from cotouch.simulation import FIGURES, HTML, frame_rate, save, summary
-    from cotouch.simulation import simulate as simulate_scenario
-
     scenario = Scenario.read(path)
     if law is not None:
         scenario = scenario.replace(synchronisation__law=law)
@@ -57,19 +74,14 @@ def run(
         save(result, out)
         written.append(out)
     if figures is not None:
-        from cotouch.simulation import save_figures
-
         written += save_figures(result, figures)
     if animation is not None:
-        from cotouch.simulation import animation as animation_of
-
         written.append(animation_of(result, scenario.build_body()).write(animation))
     figures_of_run, closure = interruptible(summary)(result, scenario.build_body()), closure_of(result)
     if as_json:
         told = {"closure": closure} if closure is not None else {}
         print_json({**figures_of_run, **told, "files": [str(file) for file in written]})
         return figures_of_run["finished"]
-    from rich.console import Console
 
     console = Console()
     origin = scenario.build_body().origin
@@ -83,8 +95,7 @@ def run(
         _users(console, scenario.network.users, figures_of_run)
     _rigid_tools(console, scenario.network.users, figures_of_run.get("rigid_tools", []))
     console.print(_ledger(figures_of_run, closure))
-    for file in written:
-        console.print(f"  wrote {literal(file)}", highlight=False, soft_wrap=True)
+    print_written(console, written)
     return figures_of_run["finished"]
 
 
@@ -96,7 +107,7 @@ class Closure(TypedDict):
     alarms: int
 
 
-def closure_of(result: "xr.Dataset") -> Closure | None:
+def closure_of(result: xr.Dataset) -> Closure | None:
     """What balanced the steps of a body that bends or turns far; None of a linear one."""
     if "closure" not in result:
         return None
@@ -107,7 +118,7 @@ def closure_of(result: "xr.Dataset") -> Closure | None:
     }
 
 
-def _closure(closure: Closure | None, grid: "Table") -> None:
+def _closure(closure: Closure | None, grid: Table) -> None:
     """Balanced energy proves no forces; by how much velocities were changed for it does."""
     if closure is not None:
         largest, alarms = closure["largest_factor"], closure["alarms"]
@@ -115,7 +126,7 @@ def _closure(closure: Closure | None, grid: "Table") -> None:
         grid.add_row("  closure", f"changed velocities by at most {largest:.1e}{told}")
 
 
-def _users(console: "Console", names: tuple[str, ...], figures: "Summary") -> None:
+def _users(console: Console, names: tuple[str, ...], figures: Summary) -> None:
     held = figures["hold"]
     columns: list[tuple[str, list[Numbers]]] = [
         ("damping B\nNs/m", figures["local_damping"]),
@@ -127,7 +138,7 @@ def _users(console: "Console", names: tuple[str, ...], figures: "Summary") -> No
     print_columns(console, figures["title"], names, told)
 
 
-def _rigid_tools(console: "Console", names: tuple[str, ...], tools: "list[RigidToolSummary]") -> None:
+def _rigid_tools(console: Console, names: tuple[str, ...], tools: list[RigidToolSummary]) -> None:
     """What the hands on rigid tools felt, a line for each."""
     for tool in tools:
         felt = f"{number(tool['peak_force_n'], digits=3)} N and {number(tool['peak_torque_nm'], digits=3)} Nm"
@@ -135,14 +146,9 @@ def _rigid_tools(console: "Console", names: tuple[str, ...], tools: "list[RigidT
         console.print(f"  {name} holds a tool ({tool['kind']}) and feels at most {felt}", highlight=False)
 
 
-def _tools(names: tuple[str, ...], figures: "Summary") -> "Table":
+def _tools(names: tuple[str, ...], figures: Summary) -> Table:
     """With tools: what each of them felt instead of where nodes are, of which there are many."""
-    from rich.box import SIMPLE_HEAD
-    from rich.table import Table
-
-    table = Table(box=SIMPLE_HEAD)
-    table.add_column("user")
-    table.add_column("damping B\nNs/m", justify="right")
+    table = new_table("user", "damping B\nNs/m")
     table.add_column("tool", no_wrap=True)
     for heading in ("felt N\npeak", "\nmean", "contacts\nmost", "\ntime s"):
         table.add_column(heading, justify="right")
@@ -165,7 +171,7 @@ def _tools(names: tuple[str, ...], figures: "Summary") -> "Table":
     return table
 
 
-def _paces(figures: "Summary") -> str | None:
+def _paces(figures: Summary) -> str | None:
     """Who steps more slowly than asked because it waits for others; None where nobody does."""
     asked, taken = (np.atleast_1d(figures["rate_hz"][name]) for name in ("asked", "taken"))
     slow = np.flatnonzero(taken < _AS_ASKED * asked)
@@ -183,7 +189,7 @@ def _paces(figures: "Summary") -> str | None:
     return text + (f". Copies were up to {number(behind, 's', digits=3)} behind and caught up" if behind > 0.0 else "")
 
 
-def _coupling(tools: "list[ToolSummary]") -> str | None:
+def _coupling(tools: list[ToolSummary]) -> str | None:
     """Whether the couplings of all devices were passive, with the one that came nearest to its bound."""
     coupled = [tool["coupling"] for tool in tools if "coupling" in tool]
     if not coupled:
@@ -197,7 +203,7 @@ def _coupling(tools: "list[ToolSummary]") -> str | None:
     return f"{verdict}: gave at most {given} more than it received; bound {most}"
 
 
-def _hot(tools: "list[ToolSummary]") -> list[str]:
+def _hot(tools: list[ToolSummary]) -> list[str]:
     """Devices that could not do for long what they did in the run."""
     return [
         f"user {tool['user']}'s {tool['device']} exerted {number(tool['rms_force_n'], 'N', digits=3)} rms, more than "
@@ -207,7 +213,7 @@ def _hot(tools: "list[ToolSummary]") -> list[str]:
     ]
 
 
-def _law(judged: "Judged", rounding: float) -> str:
+def _law(judged: Judged, rounding: float) -> str:
     """What the links made, and whether that is what their law promises."""
     made, seed = (value if value > rounding else 0.0 for value in (judged["made_j"], judged["seed_j"]))
     text = f"{judged['law']}: created {number(made, 'J', digits=3)}"
@@ -217,7 +223,7 @@ def _law(judged: "Judged", rounding: float) -> str:
     return f"{text}, {promise} {number(seed, 'J', digits=3)}"
 
 
-def _short(value: "Numbers") -> str:
+def _short(value: Numbers) -> str:
     """A number, or the first few of many."""
     while (entries := list_of(value)) is not None and len(entries) == 1:
         value = entries[0]
@@ -230,9 +236,7 @@ def _short(value: "Numbers") -> str:
     return f"{len(value)} nodes"  # pyright: ignore[reportUnknownArgumentType]
 
 
-def _ledger(figures: "Summary", closure: Closure | None) -> "Table":
-    from rich.table import Table
-
+def _ledger(figures: Summary, closure: Closure | None) -> Table:
     settling = figures["settling_time_s"]
     grid = Table.grid(padding=(0, 3))
     grid.add_column(style="dim")

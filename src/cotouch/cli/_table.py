@@ -1,14 +1,13 @@
 """A live session as a table on the terminal."""
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
-if TYPE_CHECKING:
-    from collections.abc import Sequence
+from rich.console import Group, RenderableType
+from rich.table import Table
+from rich.text import Text
 
-    from rich.console import RenderableType
-    from rich.text import Text
-
-    from cotouch.members import LinkStatus, MemberState, SessionWatch, Status
+from cotouch.device import NOTICED_DRAG
+from cotouch.members import LinkStatus, MemberState, SessionWatch, Status, felt, margin_of
 
 # States of a link, so that a row of them can be read at a glance: mark, colour, what it means.
 _MARKS = {
@@ -38,8 +37,8 @@ _SLOW = 0.9  # share of the wanted rate below which it is marked
 
 
 def view(
-    watch: "SessionWatch", now: float, *, title: str, started: float, invitation: str | None = None
-) -> "RenderableType":
+    watch: SessionWatch, now: float, *, title: str, started: float, invitation: str | None = None
+) -> RenderableType:
     """The session as it is now.
 
     Args:
@@ -49,10 +48,6 @@ def view(
         started: when this began to watch [s].
         invitation: shown while nobody is there yet.
     """
-    from rich.console import Group
-    from rich.table import Table
-    from rich.text import Text
-
     table = Table(title=f"{title} · {now - started:.0f} s", title_justify="left", title_style="bold", box=None)
     for name, unit, text in _COLUMNS:
         head = Text(name, style="bold").append(f"\n{unit}", style="dim")
@@ -71,7 +66,7 @@ def view(
     return Group(*parts)
 
 
-def _not_recorded(watch: "SessionWatch") -> list[str]:
+def _not_recorded(watch: SessionWatch) -> list[str]:
     """Whose recording stopped, as long as they are there."""
     failed = [seen for _, seen in sorted(watch.members.items()) if seen.status and seen.status.recording == "failed"]
     return [
@@ -81,7 +76,7 @@ def _not_recorded(watch: "SessionWatch") -> list[str]:
     ]
 
 
-def balance(known: "Sequence[Status]") -> str:
+def balance(known: Sequence[Status]) -> str:
     """Where the energy of the whole came from and went, in a sentence."""
     names = ("supplied", "linked", "rescaled", "lost", "energy", "initial")
     supplied, linked, shared, lost, stored, start = (sum(getattr(status, name) for status in known) for name in names)
@@ -94,15 +89,13 @@ def balance(known: "Sequence[Status]") -> str:
     return f"{', '.join(gave)}, damping took {lost:.4f} J; {stored:.4f} J is in the copies."
 
 
-def verdict(known: "Sequence[Status]", *, left: bool) -> str:
+def verdict(known: Sequence[Status], *, left: bool) -> str:
     """Whether the whole is passive, in a sentence.
 
     Args:
         known: what those who are there say.
         left: whether somebody took a part of the ledger along.
     """
-    from cotouch.members import margin_of
-
     margin = margin_of(known)
     if margin >= -_ROUND_OFF:
         return "Passive: nobody took out energy that nobody had put in."
@@ -111,11 +104,8 @@ def verdict(known: "Sequence[Status]", *, left: bool) -> str:
     return f"NOT PASSIVE: {-margin:.3g} J came out that nobody had put in."
 
 
-def felt_words(known: "Sequence[Status]") -> str:
+def felt_words(known: Sequence[Status]) -> str:
     """Which law the links have, what energy of it is on its way, and what drag hands feel of it, in a sentence."""
-    from cotouch.device import NOTICED_DRAG
-    from cotouch.members import felt
-
     found = felt(known)
     if found is None:
         return ""
@@ -126,7 +116,7 @@ def felt_words(known: "Sequence[Status]") -> str:
     return f"Law {found.law}: {'; '.join(said)} (people notice {NOTICED_DRAG:.1f} Ns/m)."
 
 
-def traffic_words(known: "Sequence[Status]") -> str:
+def traffic_words(known: Sequence[Status]) -> str:
     """What all members together send, and what a codec saves of it, in a sentence; empty before they send."""
     links = [link for status in known for link in status.links]
     datagrams, size = sum(link.datagrams for link in links), sum(link.size for link in links)
@@ -137,10 +127,8 @@ def traffic_words(known: "Sequence[Status]") -> str:
     return f"Samples: {datagrams:,.0f} datagrams and {size / 1e3:,.1f} kB a second{saved}."
 
 
-def _legend(known: "Sequence[Status]") -> "Text":
+def _legend(known: Sequence[Status]) -> Text:
     """What the marks mean, of those that can be seen now, and the rest of the headings."""
-    from rich.text import Text
-
     seen = {link.state for status in known for link in status.links} | {"coupled"}
     legend = Text()
     told: set[str] = set()
@@ -162,9 +150,7 @@ def _legend(known: "Sequence[Status]") -> "Text":
     return legend
 
 
-def _row(seen: "MemberState", now: float) -> list["str | RenderableType"]:
-    from rich.text import Text
-
+def _row(seen: MemberState, now: float) -> list[str | RenderableType]:
     status = seen.status
     name = Text(f"{seen.entry.slot + 1} ", style="dim")
     name.append(seen.entry.name, style="dim" if seen.stale(now) else "bold")
@@ -192,7 +178,7 @@ def _row(seen: "MemberState", now: float) -> list["str | RenderableType"]:
     ]
 
 
-def _ages(links: "list[LinkStatus]") -> tuple[str, str]:
+def _ages(links: list[LinkStatus]) -> tuple[str, str]:
     """Greatest sum of both directions' ages of any link, and what is budgeted for it."""
     known = [(link.ages, link.budget) for link in links if link.ages is not None]
     if not known:

@@ -180,6 +180,7 @@ class MemoryControl:
 
     Attributes:
         offered: files that others may fetch, by their hash.
+        identity: of this member.
     """
 
     def __init__(
@@ -187,7 +188,7 @@ class MemoryControl:
     ) -> None:
         self.offered: dict[bytes, bytes] = {}
         self._network = network
-        self._identity = identity
+        self.identity = identity
         self._writer = MessageWriter(identity, network.session, started=started)
         self._reader = MessageReader(identity.public, network.session)
         self._presence = Presence(identity, network.session, np.random.default_rng(seed).bytes, window=network.window)
@@ -198,11 +199,6 @@ class MemoryControl:
         self._asked: dict[bytes, float] = {}
         self._count = 0
         self._open = True
-
-    @property
-    def identity(self) -> Identity:
-        """Of this member."""
-        return self._identity
 
     @property
     def refused(self) -> Counter[MessageRefusal]:
@@ -219,7 +215,7 @@ class MemoryControl:
         """
         self._writer.check(topic, body, to)
         if self._open:
-            self._network.carry(self._identity.public, to, self._writer.write(topic, body, to))
+            self._network.carry(self.identity.public, to, self._writer.write(topic, body, to))
 
     def poll(self) -> list[Message]:
         """What was said since the last call."""
@@ -244,7 +240,7 @@ class MemoryControl:
         """A file that somebody offers: there and back after it was asked for."""
         if digest not in self.offered and self._open:
             asked = self._asked.setdefault(digest, self._network.now)
-            content = self._network.content(digest, self._identity.public)
+            content = self._network.content(digest, self.identity.public)
             if content is not None and self._network.now >= asked + 2.0 * self._network.delay:
                 self.offer(content)
         return self.offered.get(digest)
@@ -258,7 +254,7 @@ class MemoryControl:
         """
         if not self._open or len(payload) > MOST_BYTES or to not in self.present():
             return False
-        self._network.relay(self._identity.public, to, payload)
+        self._network.relay(self.identity.public, to, payload)
         return True
 
     def relayed(self) -> list[Relayed]:
@@ -274,7 +270,7 @@ class MemoryControl:
             self._beat(self._network.now, leaving=True)
             self._open = False
             self._received.clear()
-            self._network.drop(self._identity.public)
+            self._network.drop(self.identity.public)
 
     def turn(self, now: float) -> None:
         """Hears what has arrived, and says that it is there when that is due [s]."""
@@ -304,7 +300,7 @@ class MemoryControl:
     def _beat(self, now: float, *, leaving: bool = False) -> None:
         raw = self._presence.beat(now, leaving=leaving)
         if raw is not None:
-            self._network.carry(self._identity.public, None, raw, beat=True)
+            self._network.carry(self.identity.public, None, raw, beat=True)
 
     def lose(self, sender: bytes) -> None:
         """What is on its way from a sender will not arrive."""

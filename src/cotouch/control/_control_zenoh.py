@@ -57,6 +57,7 @@ class ZenohControl:
 
     Attributes:
         dropped: what was thrown away, by reason.
+        identity: of this member.
     """
 
     def __init__(
@@ -80,7 +81,7 @@ class ZenohControl:
             TransportError: it is taken or not this machine's, or no router answers.
         """
         self.dropped = Counter[str]()
-        self._identity = identity
+        self.identity = identity
         self._keys = SessionKeys(invitation, identity.public)
         self._writer = MessageWriter(identity, invitation.id, started=time.time_ns())
         self._reader = MessageReader(identity.public, invitation.id)
@@ -123,11 +124,6 @@ class ZenohControl:
         # Of its own, and dropped rather than waited for: who does not read holds up no other's beats.
         self._heart = threading.Thread(target=self._beat, name="cotouch presence", daemon=True)
         self._heart.start()
-
-    @property
-    def identity(self) -> Identity:
-        """Of this member."""
-        return self._identity
 
     @property
     def endpoint(self) -> Endpoint | None:
@@ -362,7 +358,7 @@ class ZenohControl:
         import zenoh
 
         start = start_of(str(sample.key_expr))
-        if start is None or start.member == self._identity.public:
+        if start is None or start.member == self.identity.public:
             return
         with self._lock:
             if line is not self._line:  # as seen from where this member was
@@ -382,5 +378,5 @@ class ZenohControl:
         else:
             self._relays.unknow(member)
             self._reader.forget(member)
-            if self._identity.public > member:  # one of two introduces
+            if self.identity.public > member:  # one of two introduces
                 self._line.gone(member, at)

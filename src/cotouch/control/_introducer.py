@@ -35,7 +35,11 @@ _KNOCK_EVERY = 0.5
 
 @final
 class Introducer:
-    """Looks after the members that went away. A thread of its own; nothing else here waits."""
+    """Looks after the members that went away. A thread of its own; nothing else here waits.
+
+    Attributes:
+        thread: that opens sessions; it ends after `close`, at the latest when what it opens is open.
+    """
 
     def __init__(
         self, own: Endpoint, open_beside: Callable[[Sequence[Endpoint]], "zenoh.Session"], clock: Callable[[], float]
@@ -53,8 +57,8 @@ class Introducer:
         self._lock = threading.Lock()
         self._gone: dict[bytes, tuple[float, Endpoint]] = {}
         self._closing = threading.Event()
-        self._thread = threading.Thread(target=self._run, name="cotouch introducer", daemon=True)
-        self._thread.start()
+        self.thread = threading.Thread(target=self._run, name="cotouch introducer", daemon=True)
+        self.thread.start()
 
     def gone(self, member: bytes, at: Endpoint) -> None:
         """A member that listens there is not seen any more.
@@ -71,15 +75,10 @@ class Introducer:
         with self._lock:
             self._gone.pop(member, None)
 
-    @property
-    def thread(self) -> threading.Thread:
-        """That opens sessions; it ends after `close`, at the latest when what it opens is open."""
-        return self._thread
-
     def close(self) -> None:
         """Stops."""
         self._closing.set()
-        self._thread.join(3.0)
+        self.thread.join(3.0)
 
     def _wanted(self) -> tuple[Endpoint, ...]:
         now = self._clock()

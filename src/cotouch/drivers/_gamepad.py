@@ -84,9 +84,8 @@ class Gamepad:
         self._rumbled, self._strength = -np.inf, 0.0
         self._file = file
 
-    def calibrate(self, *, allow_motion: bool) -> None:
+    def calibrate(self, *, allow_motion: bool) -> None:  # noqa: ARG002
         """See `Device.calibrate`; sticks are absolute."""
-        del allow_motion
         self._opened()
 
     def enable_force(self, on: bool = True) -> None:

@@ -135,9 +135,8 @@ class Inverse3:
             self.close()
             raise
 
-    def calibrate(self, *, allow_motion: bool) -> None:
+    def calibrate(self, *, allow_motion: bool) -> None:  # noqa: ARG002
         """See `Device.calibrate`. The service calibrates; this only looks, as the device does not move by itself."""
-        del allow_motion
         if not self._calibrated:
             self.exchange(np.zeros(3))
         if not self._calibrated:

@@ -77,9 +77,8 @@ class RecordedHand:
         self.spec = replace(RECORDED_SPEC, workspace=max(1e-3, reach))
         self._began, self._open = self._clock(), True
 
-    def calibrate(self, *, allow_motion: bool) -> None:
+    def calibrate(self, *, allow_motion: bool) -> None:  # noqa: ARG002
         """See `Device.calibrate`; nothing to do."""
-        del allow_motion
         self._opened()
 
     def enable_force(self, on: bool = True) -> None:
@@ -87,9 +86,8 @@ class RecordedHand:
         self._opened()
         self._on = on
 
-    def exchange(self, force: Float) -> DeviceReading:
+    def exchange(self, force: Float) -> DeviceReading:  # noqa: ARG002
         """See `Device.exchange`; takes no time and any force."""
-        del force
         self._opened()
         now = self._clock()
         at, way = max(0.0, now - self._began), 1.0

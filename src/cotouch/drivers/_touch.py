@@ -142,12 +142,11 @@ class Touch:
             self.close()
             raise
 
-    def calibrate(self, *, allow_motion: bool) -> None:
+    def calibrate(self, *, allow_motion: bool) -> None:  # noqa: ARG002
         """See `Device.calibrate`. The device does not move by itself; a hand puts the stylus into the inkwell.
 
         One that can only have its encoders reset is held in its reset position by somebody who has said so.
         """
-        del allow_motion
         end = time.monotonic() + self._patience
         while not self._calibrated:
             self._asked(self._take_up)

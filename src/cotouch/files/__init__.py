@@ -1,10 +1,9 @@
 """Files that people name: looked at before they are opened, written whole or not at all."""
 
 from cotouch.files._netcdf import NETCDF, write_netcdf
-from cotouch.files._plain import list_of, table_of
 from cotouch.files._read import MOST_TEXT, look, read_bytes, read_text, read_toml, toml
 from cotouch.files._shipped import shipped
-from cotouch.files._toml import toml_text
+from cotouch.files._toml import list_of, table_of, toml_text
 from cotouch.files._write import beside, folder, prepare, write
 
 __all__ = [

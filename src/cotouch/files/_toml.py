@@ -3,8 +3,6 @@
 from collections.abc import Mapping
 from typing import cast
 
-from cotouch.files._plain import list_of
-
 
 def toml_text(tables: Mapping[str, object]) -> str:
     """TOML of tables, which reading makes the same of; None is left out.
@@ -49,3 +47,13 @@ def _letter(letter: str) -> str:
     if letter in '"\\':
         return "\\" + letter
     return letter if letter >= " " and letter != "\x7f" else f"\\u{ord(letter):04x}"
+
+
+def table_of(value: object) -> dict[str, object] | None:
+    """A table, as JSON and TOML have them; None where it is anything else."""
+    return cast("dict[str, object]", value) if isinstance(value, dict) else None
+
+
+def list_of(value: object) -> list[object] | None:
+    """A list, as JSON and TOML have them; None where it is anything else."""
+    return cast("list[object]", value) if isinstance(value, list) else None

@@ -147,9 +147,8 @@ class SimulatedOnClock:
         self.wrist = Wrist(turn=self._turn, hand=self._model.hand is not None) if self._has_wrist else None
         self._behind = self._clock()
 
-    def calibrate(self, *, allow_motion: bool) -> None:
+    def calibrate(self, *, allow_motion: bool) -> None:  # noqa: ARG002
         """Its places are always absolute."""
-        del allow_motion
         self._opened()
         self._calibrated = True
 

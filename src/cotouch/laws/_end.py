@@ -169,7 +169,7 @@ def _read(context: Any, builder: Any, _kind: Any, value: Any, attr: str) -> Any:
 
 
 @intrinsic
-def hand(typingctx: Any, end: Any, words: Any) -> Any:
+def hand(typingctx: Any, end: Any, words: Any) -> Any:  # noqa: ARG001
     """Writes an end as a law's machine code reads it, where `handed` finds it.
 
     Args:
@@ -177,7 +177,6 @@ def hand(typingctx: Any, end: Any, words: Any) -> Any:
         end: of a link.
         words: memory for it, (END_WORDS,).
     """
-    del typingctx
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         kinds = signature.args[0].types
@@ -206,14 +205,13 @@ def hand(typingctx: Any, end: Any, words: Any) -> Any:
 
 
 @intrinsic
-def handed(typingctx: Any, words: Any) -> Any:
+def handed(typingctx: Any, words: Any) -> Any:  # noqa: ARG001
     """The end that `hand` has written, for both halves of a law.
 
     Args:
         typingctx: numba's.
         words: that `hand` has written it to.
     """
-    del typingctx
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         memory = context.make_array(signature.args[0])(context, builder, args[0]).data

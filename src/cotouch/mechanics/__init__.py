@@ -2,6 +2,7 @@
 
 from cotouch.mechanics import _matrix3 as matrix3
 from cotouch.mechanics._apart import are_apart, move_apart
+from cotouch.mechanics._audit import begin_world, follow_world, inner_energy
 from cotouch.mechanics._balance_groups import closing_of
 from cotouch.mechanics._bounds import beyond, written_here
 from cotouch.mechanics._closed import CLOSURE_ALARM, closed_settle, closed_step, slowed
@@ -43,7 +44,6 @@ from cotouch.mechanics._coupling_law import (
     DeviceCoupling,
     HeldForce,
     coupling_at,
-    coupling_named,
     device_couplings,
     register_coupling,
     run_end,
@@ -53,7 +53,6 @@ from cotouch.mechanics._coupling_virtual import VIRTUAL
 from cotouch.mechanics._cutting import Cutting, begin_cut, decide_cuts, expose, hear_cuts, mark_cuts, sever, show_skin
 from cotouch.mechanics._cutting_of import cutting_of
 from cotouch.mechanics._force import LAWS, LEANS, BodyForce, evaluate, lean, resist
-from cotouch.mechanics._inner_energy import inner_energy
 from cotouch.mechanics._kernel import block, inner, kernel, part
 from cotouch.mechanics._meeting import Between
 from cotouch.mechanics._meeting_force import deepest_between
@@ -113,7 +112,6 @@ from cotouch.mechanics._tools import (
 )
 from cotouch.mechanics._vector import FOUR, at, load, put, size, splat, store, total, upper, where
 from cotouch.mechanics._world import Obstacle, World
-from cotouch.mechanics._world_audit import begin_world, follow_world
 from cotouch.mechanics._world_force import deepest_point
 
 __all__ = [
@@ -203,7 +201,6 @@ __all__ = [
     "contact_parts",
     "contact_step",
     "coupling_at",
-    "coupling_named",
     "credit",
     "cutting_of",
     "decide_cuts",

@@ -150,7 +150,7 @@ def _rows() -> Iterator[tuple[Float]]:
 
 
 @intrinsic
-def run_end(typingctx: Any, address: Any, ends: Any, e: Any) -> Any:
+def run_end(typingctx: Any, address: Any, ends: Any, e: Any) -> Any:  # noqa: ARG001
     """Calls one function of a law on an end, inside kernels, which so are compiled once for all laws.
 
     Args:
@@ -159,7 +159,6 @@ def run_end(typingctx: Any, address: Any, ends: Any, e: Any) -> Any:
         ends: rows of ends, C-contiguous, (ends, END.length).
         e: which one.
     """
-    del typingctx, address, e
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         data = context.make_array(signature.args[1])(context, builder, args[1]).data
@@ -200,17 +199,3 @@ def register_coupling(law: DeviceCoupling) -> DeviceCoupling:
 def device_couplings() -> dict[str, DeviceCoupling]:
     """All couplings that are known, by name."""
     return dict(_KNOWN)
-
-
-def coupling_named(name: str) -> DeviceCoupling:
-    """The coupling of a name.
-
-    Args:
-        name: such as "pspm".
-
-    Raises:
-        DeviceError: there is none.
-    """
-    if name not in _KNOWN:
-        raise DeviceError(f'coupling is "{name}"; it must be one of {", ".join(_KNOWN)}')
-    return _KNOWN[name]

@@ -88,7 +88,6 @@ def resist(law: Any, memory: Float, x: Float, ahead: Float, rate: Float, out: Fl
         out: (rows, 4), added to [N].
         lanes: fixes the width of a row.
     """
-    del law, memory, x, ahead, rate, out, lanes
     raise NotImplementedError
 
 
@@ -106,7 +105,6 @@ def evaluate(
         sweeps: in which rotations are found.
         lanes: fixes the width of a row.
     """
-    del law, memory, x, ahead, rate, sweeps, lanes
     raise NotImplementedError
 
 
@@ -125,7 +123,6 @@ def lean(
         out: (rows, 4), added to [N].
         lanes: fixes the width of a row.
     """
-    del law, memory, x, ahead, rate, T, out, lanes
     raise NotImplementedError
 
 

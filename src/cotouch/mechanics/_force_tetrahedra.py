@@ -84,36 +84,23 @@ class CorotatedTetrahedra(NamedTuple):
     tie_cut: int = -1
 
 
-@by_address
-class StVenantKirchhoff(NamedTuple):
-    """`μ ‖E‖² + ½ λ (tr E)²`, `E = ½ (FᵀF - I)`; fields as of `CorotatedTetrahedra`."""
+def tables_of(name: str, density: str) -> type:
+    """Another class of tables with the fields of `CorotatedTetrahedra`: by their classes kernels tell laws apart.
 
-    viscosity: float
-    corner: Int
-    volume: Float
-    block: Float
-    tie_start: Int
-    tie_end: Int
-    tie_face: Int
-    tie: Float
-    cut: int = -1
-    tie_cut: int = -1
+    Args:
+        name: of the class.
+        density: of its elements' energy, in words or as a formula.
+    """
+    tables: Any = NamedTuple(name, list(CorotatedTetrahedra.__annotations__.items()))
+    tables.__doc__ = f"{density}; fields as of `CorotatedTetrahedra`."
+    tables.__new__.__defaults__ = CorotatedTetrahedra.__new__.__defaults__
+    return by_address(tables)
 
 
-@by_address
-class NeoHookean(NamedTuple):
-    """`½ μ (‖F‖² - 3) - μ (J - 1) + ½ (λ + μ) (J - 1)²`: stable, and sound where it is inverted; fields likewise."""
-
-    viscosity: float
-    corner: Int
-    volume: Float
-    block: Float
-    tie_start: Int
-    tie_end: Int
-    tie_face: Int
-    tie: Float
-    cut: int = -1
-    tie_cut: int = -1
+StVenantKirchhoff = tables_of("StVenantKirchhoff", "`μ ‖E‖² + ½ λ (tr E)²`, `E = ½ (FᵀF - I)`")
+NeoHookean = tables_of(
+    "NeoHookean", "`½ μ (‖F‖² - 3) - μ (J - 1) + ½ (λ + μ) (J - 1)²`: stable, and sound where it is inverted"
+)
 
 
 @inner
@@ -128,7 +115,7 @@ def _trace(a: Matrix) -> float:
 
 
 @inner
-def _corotated_stress(lam: float, mu: float, h: Matrix, h1: Matrix, memory: Float, e: Quad) -> Matrix:
+def _corotated_stress(law: Any, lam: float, mu: float, h: Matrix, h1: Matrix, memory: Float, e: Quad) -> Matrix:
     before = rotations(memory, FIRST, e)
     f1 = diagonal(h1, 1.0)
     after = nearest(before, f1, SWEEPS)
@@ -140,9 +127,9 @@ def _corotated_stress(lam: float, mu: float, h: Matrix, h1: Matrix, memory: Floa
 
 
 @inner
-def _corotated_energy(count: int, lam: float, mu: float, h1: Matrix, memory: Float, e: Quad, sweeps: int) -> float:
+def _corotated_energy(law: Any, lam: float, mu: float, h1: Matrix, memory: Float, e: Quad, sweeps: int) -> float:
     r = nearest(rotations(memory, FIRST, e), diagonal(h1, 1.0), sweeps)
-    keep_before(memory, FIRST, before_row(count), e)
+    keep_before(memory, FIRST, before_row(law.volume.shape[0]), e)
     keep_rotations(memory, FIRST, e, r)
     stretch = mixture(1.0, h1, -1.0, diagonal(r, -1.0))
     # tr RᵀF - 3 = R : (F - R), as R : R = 3.
@@ -151,17 +138,17 @@ def _corotated_energy(count: int, lam: float, mu: float, h1: Matrix, memory: Flo
 
 
 @inner
-def _kirchhoff_stress(lam: float, mu: float, h: Matrix, h1: Matrix) -> Matrix:
-    e = mixture(1.0, _strain(h), 1.0, _strain(h1))
+def _kirchhoff_stress(law: Any, lam: float, mu: float, h: Matrix, h1: Matrix, memory: Float, e: Quad) -> Matrix:
+    strain = mixture(1.0, _strain(h), 1.0, _strain(h1))
     f = diagonal(mixture(1.0, h, 1.0, h1), 2.0)
-    return product(f, diagonal(scaled(0.5 * mu, e), (0.25 * lam) * _trace(e)))
+    return product(f, diagonal(scaled(0.5 * mu, strain), (0.25 * lam) * _trace(strain)))
 
 
 @inner
-def _kirchhoff_energy(lam: float, mu: float, h1: Matrix) -> float:
-    e = _strain(h1)
-    trace = _trace(e)
-    return mu * contraction(e, e) + 0.5 * lam * trace * trace
+def _kirchhoff_energy(law: Any, lam: float, mu: float, h1: Matrix, memory: Float, e: Quad, sweeps: int) -> float:
+    strain = _strain(h1)
+    trace = _trace(strain)
+    return mu * contraction(strain, strain) + 0.5 * lam * trace * trace
 
 
 @inner
@@ -179,7 +166,7 @@ def _grown(h: Matrix) -> tuple[float, float]:
 
 
 @inner
-def _neo_hookean_stress(lam: float, mu: float, h: Matrix, h1: Matrix) -> Matrix:
+def _neo_hookean_stress(law: Any, lam: float, mu: float, h: Matrix, h1: Matrix, memory: Float, e: Quad) -> Matrix:
     d, _ = _grown(h)
     d1, _ = _grown(h1)
     f = diagonal(mixture(0.5, h, 0.5, h1), 1.0)
@@ -189,39 +176,9 @@ def _neo_hookean_stress(lam: float, mu: float, h: Matrix, h1: Matrix) -> Matrix:
 
 
 @inner
-def _neo_hookean_energy(lam: float, mu: float, h1: Matrix) -> float:
+def _neo_hookean_energy(law: Any, lam: float, mu: float, h1: Matrix, memory: Float, e: Quad, sweeps: int) -> float:
     d, rest = _grown(h1)
     return mu * rest + 0.5 * (lam + mu) * d * d
-
-
-@inner
-def _stress_of_corotated(law: Any, lam: float, mu: float, h: Matrix, h1: Matrix, memory: Float, e: Quad) -> Matrix:
-    return _corotated_stress(lam, mu, h, h1, memory, e)
-
-
-@inner
-def _energy_of_corotated(law: Any, lam: float, mu: float, h1: Matrix, memory: Float, e: Quad, sweeps: int) -> float:
-    return _corotated_energy(law.volume.shape[0], lam, mu, h1, memory, e, sweeps)
-
-
-@inner
-def _stress_of_kirchhoff(law: Any, lam: float, mu: float, h: Matrix, h1: Matrix, memory: Float, e: Quad) -> Matrix:
-    return _kirchhoff_stress(lam, mu, h, h1)
-
-
-@inner
-def _energy_of_kirchhoff(law: Any, lam: float, mu: float, h1: Matrix, memory: Float, e: Quad, sweeps: int) -> float:
-    return _kirchhoff_energy(lam, mu, h1)
-
-
-@inner
-def _stress_of_neo_hookean(law: Any, lam: float, mu: float, h: Matrix, h1: Matrix, memory: Float, e: Quad) -> Matrix:
-    return _neo_hookean_stress(lam, mu, h, h1)
-
-
-@inner
-def _energy_of_neo_hookean(law: Any, lam: float, mu: float, h1: Matrix, memory: Float, e: Quad, sweeps: int) -> float:
-    return _neo_hookean_energy(lam, mu, h1)
 
 
 class Solid(NamedTuple):
@@ -243,9 +200,9 @@ class Solid(NamedTuple):
 
 # The registry, by the names of `cotouch.body.Material`; λ and μ come times the volume.
 SOLIDS = {
-    "corotated": Solid(CorotatedTetrahedra, _stress_of_corotated, _energy_of_corotated, turns=True),
-    "st-venant-kirchhoff": Solid(StVenantKirchhoff, _stress_of_kirchhoff, _energy_of_kirchhoff),
-    "neo-hookean": Solid(NeoHookean, _stress_of_neo_hookean, _energy_of_neo_hookean),
+    "corotated": Solid(CorotatedTetrahedra, _corotated_stress, _corotated_energy, turns=True),
+    "st-venant-kirchhoff": Solid(StVenantKirchhoff, _kirchhoff_stress, _kirchhoff_energy),
+    "neo-hookean": Solid(NeoHookean, _neo_hookean_stress, _neo_hookean_energy),
 }
 
 

@@ -144,7 +144,6 @@ def fresh_together(law: Together, more: int) -> Float:
 
 def begin(law: Any, memory: Float, behind: int) -> None:
     """Sets all rotations of any law to none. Kernels only."""
-    del law, memory, behind
     raise NotImplementedError
 
 
@@ -165,7 +164,6 @@ def _forget_all(law: Together, memory: Float) -> None:
 
 def undo(law: Any, memory: Float, behind: int) -> None:
     """Takes all rotations of any law back to those with which the last evaluation began. Kernels only."""
-    del law, memory, behind
     raise NotImplementedError
 
 
@@ -184,7 +182,6 @@ def _undo_all(law: Together, memory: Float) -> None:
 
 def _piece(pack: Any, k: Any) -> Any:
     """One law of a pack. Kernels only."""
-    del pack, k
     raise NotImplementedError
 
 
@@ -205,7 +202,6 @@ def _resist_kind(
     packs: Any, kind: Any, k: Any, memory: Any, x: Any, ahead: Any, rate: Any, out: Any, lanes: Any
 ) -> Any:
     """`resist` of law k of one of the packs. Kernels only."""
-    del packs, kind, k, memory, x, ahead, rate, out, lanes
     raise NotImplementedError
 
 
@@ -221,7 +217,6 @@ def _evaluate_kind(
     packs: Any, kind: Any, k: Any, memory: Any, x: Any, ahead: Any, rate: Any, sweeps: Any, lanes: Any
 ) -> Any:
     """`evaluate` of law k of one of the packs. Kernels only."""
-    del packs, kind, k, memory, x, ahead, rate, sweeps, lanes
     raise NotImplementedError
 
 
@@ -238,7 +233,6 @@ def _lean_kind(
     packs: Any, kind: Any, k: Any, memory: Any, x: Any, ahead: Any, rate: Any, T: Any, out: Any, lanes: Any
 ) -> Any:
     """`lean` of law k of one of the packs. Kernels only."""
-    del packs, kind, k, memory, x, ahead, rate, T, out, lanes
     raise NotImplementedError
 
 

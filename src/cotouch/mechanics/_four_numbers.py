@@ -44,8 +44,7 @@ for _name in ("add", "sub", "mul", "truediv"):
         setattr(FourNumbers, _side, _operator(_side))
 
 
-def _compared(this: FourNumbers, other: "FourNumbers | float") -> FourNumbers:
-    del other
+def _compared(this: FourNumbers, other: "FourNumbers | float") -> FourNumbers:  # noqa: ARG001
     return this
 
 

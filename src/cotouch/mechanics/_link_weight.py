@@ -1,5 +1,7 @@
 """A link weight in the rows of a body."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import scipy.sparse as sp
 
@@ -7,17 +9,22 @@ from cotouch.body import Body, Matrix
 from cotouch.errors import BodyError
 
 
-def fit_weight(body: Body, index: int, weight: Matrix) -> tuple[sp.csr_array, bool]:
-    """A weight in rows of the body, and whether it needs the full form.
+def fit_weights(body: Body, weights: Sequence[Matrix]) -> tuple[list[sp.csr_array], bool]:
+    """Weights in rows of the body, and whether any needs the full form.
 
     Args:
         body: the body.
-        index: of the weight, for messages.
-        weight: n x n, nd x nd or d x d.
+        weights: n x n, nd x nd or d x d.
 
     Raises:
-        BodyError: it is of another size.
+        BodyError: one is of another size.
     """
+    fitted = [_fitted(body, index, weight) for index, weight in enumerate(weights, start=1)]
+    return [matrix for matrix, _ in fitted], any(full for _, full in fitted)
+
+
+def _fitted(body: Body, index: int, weight: Matrix) -> tuple[sp.csr_array, bool]:
+    """Of one, with its number for messages."""
     csr = sp.csr_array(weight if sp.issparse(weight) else np.atleast_2d(np.asarray(weight, dtype=np.float64)))
     n, d = body.nodes, body.dimension
     size = csr.shape[0] if csr.shape[0] == csr.shape[1] else 0

@@ -20,6 +20,7 @@ from cotouch.mechanics._force_together import Together, together_of
 from cotouch.mechanics._fours import blocks
 from cotouch.mechanics._meeting import Parts
 from cotouch.mechanics._meeting_skin import parts_of
+from cotouch.mechanics._operator import off_diagonal
 from cotouch.mechanics._state import numbered
 from cotouch.mechanics._tool_bodies import rigid_rows
 
@@ -291,10 +292,7 @@ def _frame(body: Body, material: Material, row: Int, rest: Float) -> Frame:
     nodes, dimension = rest.shape[0], body.dimension
     order = np.argsort(row)
     if body.form == "node":
-        pattern = sp.csr_array(abs(body.stiffness_int) + abs(body.damping_int))[order][:, order]
-        pattern = sp.csr_array(pattern - sp.diags_array(pattern.diagonal()))
-        pattern.eliminate_zeros()
-        place = pattern.nonzero()
+        place = off_diagonal((abs(body.stiffness_int) + abs(body.damping_int))[order][:, order]).nonzero()
         stiffness, damping = (
             # A body of one node has no entries, and of none scipy makes another type.
             np.asarray(sp.csr_array(m[order][:, order])[place] if place[0].size else []).reshape(-1, 1)
@@ -303,12 +301,8 @@ def _frame(body: Body, material: Material, row: Int, rest: Float) -> Frame:
         lever = body.stiffness_int @ rest
     else:
         k, b = (sp.bsr_array(m, blocksize=(dimension, dimension)) for m in (body.stiffness_int, body.damping_int))
-        pattern = sp.csr_array((np.ones(k.indices.size), k.indices, k.indptr), shape=(nodes, nodes))
-        pattern = pattern + sp.csr_array((np.ones(b.indices.size), b.indices, b.indptr), shape=(nodes, nodes))
-        pattern = sp.csr_array(pattern)[order][:, order]
-        pattern = sp.csr_array(pattern - sp.diags_array(pattern.diagonal()))
-        pattern.eliminate_zeros()
-        place = pattern.nonzero()
+        known = (sp.csr_array((np.ones(m.indices.size), m.indices, m.indptr), shape=(nodes, nodes)) for m in (k, b))
+        place = off_diagonal(sum(known, start=sp.csr_array((nodes, nodes)))[order][:, order]).nonzero()
         stiffness, damping = (_blocks(m, order[place[0]], order[place[1]], dimension) for m in (k, b))
         mass = body.mass.diagonal().reshape(nodes, dimension)[:, 0]
         lever = mass[:, None] * (rest - np.average(rest, axis=0, weights=mass))

@@ -15,10 +15,10 @@ from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import fresh_memory
 from cotouch.mechanics._force_together import Together, fresh_together
-from cotouch.mechanics._link_weight import fit_weight
+from cotouch.mechanics._link_weight import fit_weights
 from cotouch.mechanics._materials import cut_law, force_of, outline_of
 from cotouch.mechanics._meeting import Between
-from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator, cuttable, halves, mixed
+from cotouch.mechanics._operator import MASS, STIFFNESS, WEIGHTS, Operator, cuttable, halves, mixed, operator_of
 from cotouch.mechanics._state import Workspace, workspace
 from cotouch.mechanics._tool_bodies import link_weights, rigid_rows
 from cotouch.mechanics._vector import WIDTHS
@@ -30,8 +30,6 @@ Basis = Literal["auto", "nodal", "modal"]
 # Up to this many rows "auto" tries the modal basis. Each hand and each recorded node reads a whole row of modes there:
 # with one or two hands a step costs half of what it does in the body's own basis, with five as much.
 _MODAL_ROWS = 256
-# A row sum of K this small beside the diagonal is the rounding of a row that sums to nothing.
-_NO_GROUND = 1e-14
 # Eigenvalues that differ by no more than this, beside the largest, are equal.
 _EQUAL = 1e-13
 # How far from diagonal a matrix may be in the modal basis, relative to its largest entry there, to count as commuting.
@@ -192,15 +190,15 @@ def model(
         body = body.with_gravity((0.0, 0.0, 0.0))
     if body.material is not None:
         return _of_material(body, body.material, copies, weights, basis, obstacles, between)
-    fitted = [fit_weight(body, index, weight) for index, weight in enumerate(weights, start=1)]
-    if body.form == "node" and any(full for _, full in fitted):
+    fitted, full = fit_weights(body, weights)
+    if body.form == "node" and full:
         body = body.as_full()
-        fitted = [fit_weight(body, index, weight) for index, weight in enumerate(weights, start=1)]
+        fitted, _ = fit_weights(body, weights)
     rows = body.mass.shape[0]
-    matrices = [body.mass, body.damping, body.stiffness, sp.eye_array(rows, format="csr"), *(m for m, _ in fitted)]
+    matrices = [body.mass, body.damping, body.stiffness, sp.eye_array(rows, format="csr"), *fitted]
     order, split = halves(matrices)
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
-    plain = Model(body=body, operator=_operator(ordered, copies, split), modes=None, inverse=None, order=order)
+    plain = Model(body=body, operator=operator_of(ordered, copies, split), modes=None, inverse=None, order=order)
     if basis == "nodal" or (basis == "auto" and (plain.operator.entries.shape[0] == 0 or rows > _MODAL_ROWS)):
         return plain
     changed = _modal(body, matrices, copies)
@@ -226,12 +224,12 @@ def _of_material(
     if body.dimension < 2:
         raise UnsupportedError("the body has one axis; weight, obstacles and what turns need 2 or 3")
     outline = outline_of(body, material)
-    fitted = [fit_weight(outline, index, weight) for index, weight in enumerate(weights, start=1)]
-    if any(full for _, full in fitted):
+    fitted, full = fit_weights(outline, weights)
+    if full:
         raise UnsupportedError(
             f'model is "{material.model}", so link weights must be {body.nodes} x {body.nodes}, alike along each axis'
         )
-    matrices = [outline.mass, outline.damping, outline.stiffness, *link_weights(body, [m for m, _ in fitted])]
+    matrices = [outline.mass, outline.damping, outline.stiffness, *link_weights(body, fitted)]
     order, split = (None, 0) if body.rigid else halves(matrices)
     ordered = matrices if order is None else [sp.csr_array(matrix[order][:, order]) for matrix in matrices]
     force, memory = force_of(body, material, order)
@@ -247,7 +245,7 @@ def _of_material(
     if body.cut_count:
         cut, memory = memory + 1, memory + 1 + 2 * body.cut_count
         force = force._replace(law=cut_law(body, force.law, cut), cut=cut - 1)
-    op = _operator(ordered, copies, split)
+    op = operator_of(ordered, copies, split)
     return Model(
         body=body,
         operator=op if cut < 0 else cuttable(op, body.cut_count),
@@ -259,87 +257,6 @@ def _of_material(
         obstacles=tuple(obstacles),
         between=between,
         cut=cut,
-    )
-
-
-def _operator(matrices: list[sp.csr_array], copies: int, split: int) -> Operator:
-    """Splits matrices into diagonals and shared off-diagonal families."""
-    rows = matrices[0].shape[0]
-    diagonals = [np.ascontiguousarray(matrix.diagonal(), dtype=np.float64) for matrix in matrices]
-    if all(matrix.nnz == np.count_nonzero(own) for matrix, own in zip(matrices, diagonals, strict=True)):
-        nothing = np.zeros((len(matrices), 0))
-        return _assembled(
-            copies, split, diagonals, np.zeros(rows + 1, np.int32), np.zeros(0, np.int32), np.zeros((0, 0)), nothing
-        )
-    off: list[sp.csr_array] = []
-    for matrix in matrices:
-        rest = sp.csr_array(matrix - sp.diags_array(matrix.diagonal()))
-        rest.eliminate_zeros()
-        off.append(rest)
-    pattern = sp.csr_array(sum((abs(m) for m in off[1:]), start=abs(off[0])))
-    pattern.sort_indices()
-    # Adding 1 at every place of the pattern keeps each matrix's zeros stored, so that all have the same entry order.
-    ones = sp.csr_array((np.ones(pattern.nnz), pattern.indices, pattern.indptr), shape=pattern.shape)
-    values: list[Float] = []
-    for matrix in off:
-        padded = sp.csr_array(ones * 1.0)
-        padded.data = np.asarray(matrix[ones.nonzero()]).ravel() if matrix.nnz else np.zeros(pattern.nnz)
-        values.append(padded.data.astype(np.float64))
-    families: list[Float] = []
-    mix = np.zeros((len(matrices), len(matrices)))
-    # Springs first: their family is then exact and the others are multiples of it.
-    order = [STIFFNESS, *(q for q in range(len(matrices)) if q != STIFFNESS)]
-    for q in order:
-        if not np.any(values[q]):
-            continue
-        for f, family in enumerate(families):
-            largest = int(np.argmax(np.abs(family)))  # one entry: a quotient of sums would add the rounding of the sums
-            ratio = float(values[q][largest] / family[largest])
-            if np.abs(values[q] - ratio * family).max() <= 1e-14 * np.abs(values[q]).max():
-                mix[q, f] = ratio
-                break
-        else:
-            mix[q, len(families)] = 1.0
-            families.append(values[q])
-    return _assembled(
-        copies,
-        split,
-        diagonals,
-        pattern.indptr.astype(np.int32),
-        pattern.indices.astype(np.int32),
-        np.ascontiguousarray(np.stack(families)),
-        np.ascontiguousarray(mix[:, : len(families)]),
-    )
-
-
-def _assembled(
-    copies: int, split: int, diagonals: list[Float], pointer: Int, column: Int, entries: Float, mix: Float
-) -> Operator:
-    rows = diagonals[0].size
-    magnitude = np.zeros((entries.shape[0], rows))
-    ground, drag = diagonals[STIFFNESS].copy(), diagonals[DAMPING].copy()
-    for family, values in enumerate(entries):
-        magnitude[family] = sp.csr_array((np.abs(values), column, pointer), shape=(rows, rows)).sum(axis=1)
-        beside = sp.csr_array((values, column, pointer), shape=(rows, rows)).sum(axis=1)
-        ground += mix[STIFFNESS, family] * beside
-        drag += mix[DAMPING, family] * beside
-    ground[np.abs(ground) <= _NO_GROUND * diagonals[STIFFNESS]] = 0.0
-    drag[np.abs(drag) <= _NO_GROUND * diagonals[DAMPING]] = 0.0
-    return Operator(
-        copy_scale=1.0 / copies,
-        firmness=1.0,
-        mass=diagonals[0],
-        damping=diagonals[1],
-        stiffness=diagonals[2],
-        weight=np.ascontiguousarray(np.stack(diagonals[WEIGHTS:])),
-        pointer=pointer,
-        column=column,
-        entries=entries,
-        mix=mix,
-        ground=ground,
-        drag=drag,
-        magnitude=magnitude,
-        split=split,
     )
 
 
@@ -365,7 +282,7 @@ def _modal(body: Body, matrices: list[sp.csr_array], copies: int) -> Model | str
             return f"{name} is not diagonal in the basis that diagonalises the others"
         # What is left below zero is round-off; a negative damping or stiffness would feed energy.
         diagonals.append(sp.csr_array(sp.diags_array(np.maximum(own, 0.0))))
-    operator = _operator(diagonals, copies, 0)
+    operator = operator_of(diagonals, copies, 0)
     assert not mixed(operator, STIFFNESS)
     return Model(
         body=body,
@@ -390,7 +307,7 @@ def _truncated(body: Body, truncation: Truncation, copies: int) -> Model:
         truncation.stiffness,
         np.full(shapes.shape[1], 1.0 / mean),
     ]
-    operator = _operator([sp.csr_array(sp.diags_array(row)) for row in rows], copies, 0)
+    operator = operator_of([sp.csr_array(sp.diags_array(row)) for row in rows], copies, 0)
     return Model(
         body=body,
         operator=operator,

@@ -11,6 +11,8 @@ from cotouch.mechanics._kernel import inner, kernel
 from cotouch.mechanics._vector import at, load, splat, store, total
 from cotouch.passing import by_address
 
+# A row sum of K this small beside the diagonal is the rounding of a row that sums to nothing.
+_NO_GROUND = 1e-14
 # Rows of `Operator.mix`; the weights follow.
 MASS, DAMPING, STIFFNESS, WEIGHTS = 0, 1, 2, 3
 
@@ -187,15 +189,20 @@ def taken_off(op: Operator, T: float, i: int) -> float:
     return off
 
 
+def off_diagonal(matrix: sp.csr_array) -> sp.csr_array:
+    """What is beside the diagonal, without stored zeros."""
+    rest = sp.csr_array(matrix - sp.diags_array(matrix.diagonal()))
+    rest.eliminate_zeros()
+    return rest
+
+
 def halves(matrices: list[sp.csr_array]) -> tuple[Int | None, int]:
     """The order that puts rows into two halves with entries only across, and where the second starts; or (None, 0).
 
     Lattices, chains and trees have such halves. They are found in the graph that has every row twice, once for each
     half, and an edge across for every entry: there the two of a row are connected exactly if a cycle is odd.
     """
-    pattern = sp.csr_array(sum((abs(m) for m in matrices[1:]), start=abs(matrices[0])))
-    pattern = sp.csr_array(pattern - sp.diags_array(pattern.diagonal()))
-    pattern.eliminate_zeros()
+    pattern = off_diagonal(sum((abs(m) for m in matrices[1:]), start=abs(matrices[0])))
     if pattern.nnz == 0:
         return None, 0
     rows = pattern.shape[0]
@@ -204,3 +211,86 @@ def halves(matrices: list[sp.csr_array]) -> tuple[Int | None, int]:
     if np.any(first == second):
         return None, 0
     return np.argsort(first > second, kind="stable").astype(np.int32), int(np.count_nonzero(first < second))
+
+
+def operator_of(matrices: list[sp.csr_array], copies: int, split: int) -> Operator:
+    """Splits matrices into diagonals and shared off-diagonal families.
+
+    Args:
+        matrices: mass, damping, stiffness and link weights, in the kernels' order.
+        copies: N.
+        split: see `Operator`.
+    """
+    rows = matrices[0].shape[0]
+    diagonals = [np.ascontiguousarray(matrix.diagonal(), dtype=np.float64) for matrix in matrices]
+    if all(matrix.nnz == np.count_nonzero(own) for matrix, own in zip(matrices, diagonals, strict=True)):
+        nothing = np.zeros((len(matrices), 0))
+        return _assembled(
+            copies, split, diagonals, np.zeros(rows + 1, np.int32), np.zeros(0, np.int32), np.zeros((0, 0)), nothing
+        )
+    off = [off_diagonal(matrix) for matrix in matrices]
+    pattern = sp.csr_array(sum((abs(m) for m in off[1:]), start=abs(off[0])))
+    pattern.sort_indices()
+    # Adding 1 at every place of the pattern keeps each matrix's zeros stored, so that all have the same entry order.
+    ones = sp.csr_array((np.ones(pattern.nnz), pattern.indices, pattern.indptr), shape=pattern.shape)
+    values: list[Float] = []
+    for matrix in off:
+        padded = sp.csr_array(ones * 1.0)
+        padded.data = np.asarray(matrix[ones.nonzero()]).ravel() if matrix.nnz else np.zeros(pattern.nnz)
+        values.append(padded.data.astype(np.float64))
+    families: list[Float] = []
+    mix = np.zeros((len(matrices), len(matrices)))
+    # Springs first: their family is then exact and the others are multiples of it.
+    order = [STIFFNESS, *(q for q in range(len(matrices)) if q != STIFFNESS)]
+    for q in order:
+        if not np.any(values[q]):
+            continue
+        for f, family in enumerate(families):
+            largest = int(np.argmax(np.abs(family)))  # one entry: a quotient of sums would add the rounding of the sums
+            ratio = float(values[q][largest] / family[largest])
+            if np.abs(values[q] - ratio * family).max() <= 1e-14 * np.abs(values[q]).max():
+                mix[q, f] = ratio
+                break
+        else:
+            mix[q, len(families)] = 1.0
+            families.append(values[q])
+    return _assembled(
+        copies,
+        split,
+        diagonals,
+        pattern.indptr.astype(np.int32),
+        pattern.indices.astype(np.int32),
+        np.ascontiguousarray(np.stack(families)),
+        np.ascontiguousarray(mix[:, : len(families)]),
+    )
+
+
+def _assembled(
+    copies: int, split: int, diagonals: list[Float], pointer: Int, column: Int, entries: Float, mix: Float
+) -> Operator:
+    rows = diagonals[0].size
+    magnitude = np.zeros((entries.shape[0], rows))
+    ground, drag = diagonals[STIFFNESS].copy(), diagonals[DAMPING].copy()
+    for family, values in enumerate(entries):
+        magnitude[family] = sp.csr_array((np.abs(values), column, pointer), shape=(rows, rows)).sum(axis=1)
+        beside = sp.csr_array((values, column, pointer), shape=(rows, rows)).sum(axis=1)
+        ground += mix[STIFFNESS, family] * beside
+        drag += mix[DAMPING, family] * beside
+    ground[np.abs(ground) <= _NO_GROUND * diagonals[STIFFNESS]] = 0.0
+    drag[np.abs(drag) <= _NO_GROUND * diagonals[DAMPING]] = 0.0
+    return Operator(
+        copy_scale=1.0 / copies,
+        firmness=1.0,
+        mass=diagonals[0],
+        damping=diagonals[1],
+        stiffness=diagonals[2],
+        weight=np.ascontiguousarray(np.stack(diagonals[WEIGHTS:])),
+        pointer=pointer,
+        column=column,
+        entries=entries,
+        mix=mix,
+        ground=ground,
+        drag=drag,
+        magnitude=magnitude,
+        split=split,
+    )

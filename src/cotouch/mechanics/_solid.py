@@ -1,7 +1,7 @@
 """Laws of tetrahedra of others: what makes a stress and an energy a material that bodies can be of."""
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -10,9 +10,8 @@ from cotouch.body import add_solid_law
 from cotouch.errors import BodyError
 from cotouch.mechanics._bounds import as_written
 from cotouch.mechanics._force import LAWS
-from cotouch.mechanics._force_tetrahedra import SOLIDS, CorotatedTetrahedra, Solid, evaluate, resist
+from cotouch.mechanics._force_tetrahedra import SOLIDS, Solid, evaluate, resist, tables_of
 from cotouch.mechanics._four_numbers import FourNumbers
-from cotouch.passing import by_address
 
 
 def register_solid(
@@ -36,9 +35,7 @@ def register_solid(
     broken = _findings(as_written(stress), as_written(energy))
     if broken:
         raise BodyError(f'material "{name}" breaks the interface: {broken[0]}')
-    tables: Any = NamedTuple(f"Solid_{name}".replace("-", "_"), list(CorotatedTetrahedra.__annotations__.items()))
-    tables.__new__.__defaults__ = CorotatedTetrahedra.__new__.__defaults__
-    made = SOLIDS[name] = Solid(by_address(tables), stress, energy)
+    made = SOLIDS[name] = Solid(tables_of(f"Solid_{name}".replace("-", "_"), f"Of {name}"), stress, energy)
     LAWS[made.kind] = resist, evaluate
     add_solid_law(name, poisson_above=poisson_above)
     return made

@@ -10,6 +10,9 @@ products, and a third of the time of a batch of points.
 """
 
 # pyright: basic
+# numba hands over all that it knows, whether a function needs it or not.
+# ruff: noqa: ARG001
+
 import operator
 from typing import Any
 
@@ -80,7 +83,6 @@ def load(typingctx: Any, field: Any, row: Any, lanes: Any) -> Any:
         row: of it, in range.
         lanes: fixes the width of a row.
     """
-    del typingctx, row
     _contiguous(field)
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
@@ -101,7 +103,6 @@ def store(typingctx: Any, field: Any, row: Any, value: Any, lanes: Any) -> Any:
         value: a vector.
         lanes: fixes the width of a row.
     """
-    del typingctx, row, value
     _contiguous(field)
     _writable(field)
 
@@ -122,10 +123,8 @@ def splat(typingctx: Any, value: Any, lanes: Any) -> Any:
         value: a number.
         lanes: fixes the width of a row.
     """
-    del typingctx, value
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        del context, signature
         return args[0] if lanes.count == 1 else _broadcast(builder, args[0], lanes.count)
 
     return _type(lanes)(types.float64, lanes), generate
@@ -134,10 +133,8 @@ def splat(typingctx: Any, value: Any, lanes: Any) -> Any:
 @intrinsic
 def total(typingctx: Any, vector: Any) -> Any:
     """Sum of the lanes, left to right."""
-    del typingctx
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        del context, signature
         if not isinstance(vector, Vec):
             return args[0]
         lanes = [builder.extract_element(args[0], ir.Constant(ir.IntType(32), k)) for k in range(vector.width)]
@@ -163,10 +160,8 @@ def _shuffled(builder: Any, one: Any, other: Any, lanes: tuple[int, ...]) -> Any
 @intrinsic
 def four(typingctx: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
     """A vector of four numbers."""
-    del typingctx, a, b, c, d
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        del context, signature
         return _four_of(builder, args)
 
     return Vec(4)(*[types.float64] * 4), generate
@@ -175,7 +170,6 @@ def four(typingctx: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
 @intrinsic
 def transposed(typingctx: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
     """The rows of a matrix of four by four as its columns."""
-    del typingctx, a, b, c, d
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         a, b, c, d = args
@@ -199,12 +193,10 @@ def where(typingctx: Any, test: Any, yes: Any, no: Any) -> Any:
         yes: likewise.
         no: likewise.
     """
-    del typingctx
     width = max((kind.width for kind in (test, yes, no) if isinstance(kind, Vec)), default=1)
     kinds = [kind if isinstance(kind, Vec) else types.float64 for kind in (test, yes, no)]
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        del context
         sides = [
             value if isinstance(kind, Vec) or width == 1 else _broadcast(builder, value, width)
             for value, kind in zip(args, signature.args, strict=True)
@@ -217,10 +209,8 @@ def where(typingctx: Any, test: Any, yes: Any, no: Any) -> Any:
 
 def _called(name: str, meaning: str) -> Any:
     def apply(typingctx: Any, vector: Any) -> Any:
-        del typingctx
 
         def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-            del context, signature
             kind = args[0].type
             whole = f"{name}.v{kind.count}f64" if isinstance(vector, Vec) else f"{name}.f64"
             return builder.call(get_or_insert_function(builder.module, ir.FunctionType(kind, [kind]), whole), args)
@@ -237,10 +227,8 @@ size = _called("llvm.fabs", "A number without its sign, or lane by lane.")
 
 def _select(order: str, meaning: str) -> Any:
     def choose(typingctx: Any, left: Any, right: Any) -> Any:
-        del typingctx
 
         def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-            del context, signature
             return builder.select(builder.fcmp_ordered(order, *args), *args)
 
         return left(left, right), generate
@@ -283,7 +271,6 @@ def at(typingctx: Any, array: Any, index: Any) -> Any:
         array: C-contiguous.
         index: one, or one for each dimension.
     """
-    del typingctx
     _contiguous(array)
     dtype = array.dtype
     integer = isinstance(dtype, types.Integer)
@@ -305,7 +292,6 @@ def put(typingctx: Any, array: Any, index: Any, value: Any) -> Any:
         index: as of `at`.
         value: a number.
     """
-    del typingctx, value
     _contiguous(array)
     _writable(array)
 
@@ -319,12 +305,10 @@ def put(typingctx: Any, array: Any, index: Any, value: Any) -> Any:
 def _arithmetic(symbol: Any, instruction: str) -> None:
     @intrinsic
     def apply(typingctx: Any, left: Any, right: Any) -> Any:
-        del typingctx
         width = left.width if isinstance(left, Vec) else right.width
         operands = [side if isinstance(side, Vec) else types.float64 for side in (left, right)]
 
         def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-            del context
             sides = [
                 value if isinstance(kind, Vec) else _broadcast(builder, value, width)
                 for value, kind in zip(args, signature.args, strict=True)

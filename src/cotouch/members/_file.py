@@ -11,7 +11,7 @@ import numpy as np
 from pydantic import Field, ValidationError, model_validator
 
 from cotouch.errors import ScenarioError, SessionError
-from cotouch.files import list_of, look, read_bytes, read_text, table_of, toml
+from cotouch.files import look, read_bytes, read_text, table_of, toml
 from cotouch.members._device_table import DeviceTable
 from cotouch.members._emulate import path_laws
 from cotouch.members._law_check import check_codec, check_law, check_live
@@ -26,6 +26,7 @@ from cotouch.scenario import (
     Table,
     per_user,
     sentence,
+    tables_with_file,
     with_law_of_session,
 )
 
@@ -171,7 +172,7 @@ class SessionFile:
             _take_law(tables, law)
         files: dict[str, bytes] = {}
         named: dict[str, str] = {}
-        for _, file in _with_file(tables):
+        for _, file in tables_with_file(tables, pictures=False):
             name = PurePosixPath(file).name
             if named.setdefault(name, file) != file:
                 raise SessionError(
@@ -217,7 +218,7 @@ class SessionFile:
         tables = _parsed(described.text, "the session")
         if described.law is not None:
             _take_law(tables, described.law)
-        for table, file in _with_file(tables):
+        for table, file in tables_with_file(tables, pictures=False):
             table["file"] = PurePosixPath(file).name
         scenario, options = _made(tables, "the session", folder)
         return cls(scenario, options, content, files)
@@ -300,16 +301,6 @@ def _take_law(tables: dict[str, object], law: str) -> None:
         tables["synchronisation"] = {**given, "law": law}
 
 
-def _with_file(tables: dict[str, object]) -> list[tuple[dict[str, object], str]]:
-    """The tables that name a file, which: of a body, each of several, tools, what stands still; of a trace."""
-    around = list_of((table_of(tables.get("world")) or {}).get("meshes"))
-    several = (*(list_of(tables.get("bodies")) or ()), *(list_of(tables.get("tools")) or ()))
-    trace = (table_of(tables.get("channel")) or {}).get("trace")
-    given = [tables.get("body"), *several, *(around or ()), trace]
-    found = [table for one in given if (table := table_of(one)) is not None]
-    return [(table, file) for table in found if isinstance(file := table.get("file"), str)]
-
-
 def _made(tables: dict[str, object], source: str, folder: Path | None) -> tuple[Scenario, SessionTable]:
     given = tables.get("session", {})
     tables = with_law_of_session({name: table for name, table in tables.items() if name != "session"}, given)
@@ -332,7 +323,7 @@ def _made(tables: dict[str, object], source: str, folder: Path | None) -> tuple[
     else:
         raise SessionError(f"{source} has neither session.users nor [network]; give one of them")
     if folder is not None:
-        for table, file in _with_file(tables):
+        for table, file in tables_with_file(tables, pictures=False):
             table["file"] = str(folder / file)
     scenario = Scenario.make(source=source, **tables)
     _live(scenario, source)

@@ -52,7 +52,11 @@ class SharedModel:
         Raises:
             InputError: body, weights or hands of the session are wrong.
         """
-        scenario = session.scenario.placed()
+        with session.scenario.naming():
+            return cls._built(session, session.scenario.placed())
+
+    @classmethod
+    def _built(cls, session: SessionFile, scenario: Scenario) -> "SharedModel":
         body = scenario.build_body()
         ready = _model(scenario, body, 1)
         fingerprint = _fingerprint(ready)  # before anything is worked out in its scratch

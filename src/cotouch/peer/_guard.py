@@ -57,7 +57,7 @@ from typing import final
 from cotouch.errors import NetworkError
 from cotouch.peer._catch_up import CatchUp
 from cotouch.peer._guard_ledger import GuardEvent, GuardLedger
-from cotouch.peer._links import Link, LinkHeader, LinkState, Sample
+from cotouch.peer._links import Link, LinkHeader, LinkState, Sample, SourcedLink
 
 # Share of both budgets that pays for the rounding of samples at coupling; 1/share + 1 times K ε² is left.
 _ROUNDING_FRACTION = 1.0 / 16.0
@@ -67,7 +67,7 @@ _LAST_EPOCH = 255
 
 
 @final
-class LinkGuard:
+class LinkGuard(SourcedLink):
     """A link's source of samples with what keeps this end passive; a `Link` of the peer.
 
     The peer asks `choose` for the sample, `decide` how far the spring may follow it, and tells `settle` what the step
@@ -193,18 +193,6 @@ class LinkGuard:
             self._given,
             self._received,
         )
-
-    def offer(self, sample: Sample) -> bool:
-        """Hands a sample to the source."""
-        return self.source.offer(sample)
-
-    def ready(self, k: int) -> bool:
-        """Whether the source has what step k needs."""
-        return self.source.ready(k)
-
-    def choose(self, k: int) -> Sample:
-        """The sample that step k would use."""
-        return self.source.choose(k)
 
     def decide(self, sample: Sample, desired: float, held: float, now: float, T: float) -> float:
         """How far the spring may follow the sample in the coming step: `ȳ = x + fraction (y - x)`.

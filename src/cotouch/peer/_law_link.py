@@ -10,7 +10,7 @@ from cotouch.arrays import Float
 from cotouch.errors import NetworkError
 from cotouch.laws import FORCE, BoundEnd, End, Law, feel
 from cotouch.mechanics import Contact, Ports
-from cotouch.peer._links import Link, Message, Sample
+from cotouch.peer._links import Link, Message, Sample, SourcedLink
 
 _NONE = np.zeros(0)
 _BURST = 0.1  # [s] of the power that may come at once
@@ -87,7 +87,7 @@ class CopyMemory:
 
 
 @final
-class LawLink:
+class LawLink(SourcedLink):
     """A link's source of samples with its law; a `Link` of the peer, which needs no guard.
 
     Attributes:
@@ -152,18 +152,6 @@ class LawLink:
         self.apart, self._heard = 0.0, False
         self._end: BoundEnd | None = None
         self._position = _NONE
-
-    def offer(self, sample: Sample) -> bool:
-        """Hands a sample to the source."""
-        return self.source.offer(sample)
-
-    def ready(self, k: int) -> bool:
-        """Whether the source has what step k needs."""
-        return self.source.ready(k)
-
-    def choose(self, k: int) -> Sample:
-        """The sample that step k uses."""
-        return self.source.choose(k)
 
     def attach(self, *, spring: float, place: tuple[int, int], weight: Float, target: Float, push: Float) -> None:
         """Learns of the copy's links; the peer calls it.

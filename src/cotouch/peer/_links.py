@@ -84,6 +84,28 @@ class Link(Protocol):
         ...
 
 
+class SourcedLink:
+    """A link that uses the samples of another, in its own way.
+
+    Attributes:
+        source: which sample a step uses.
+    """
+
+    source: Link
+
+    def offer(self, sample: Sample) -> bool:
+        """Hands a sample to the source."""
+        return self.source.offer(sample)
+
+    def ready(self, k: int) -> bool:
+        """Whether the source has what step k needs."""
+        return self.source.ready(k)
+
+    def choose(self, k: int) -> Sample:
+        """The sample that step k would use."""
+        return self.source.choose(k)
+
+
 @final
 @dataclass(eq=False)
 class FreshestLink:
@@ -102,14 +124,12 @@ class FreshestLink:
         self.current = sample
         return True
 
-    def ready(self, k: int) -> bool:
+    def ready(self, k: int) -> bool:  # noqa: ARG002
         """Always: a step never waits."""
-        del k
         return True
 
-    def choose(self, k: int) -> Sample:
+    def choose(self, k: int) -> Sample:  # noqa: ARG002
         """The newest sample."""
-        del k
         return self.current
 
 

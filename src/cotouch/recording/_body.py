@@ -5,7 +5,7 @@ import zipfile
 import zlib
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, final
+from typing import Any, final
 
 import numpy as np
 import scipy.sparse as sp
@@ -13,11 +13,8 @@ import scipy.sparse as sp
 from cotouch.arrays import Float, Int
 from cotouch.body import Body, Matrix
 from cotouch.errors import BodyError, RecordingError
+from cotouch.mechanics import Model
 from cotouch.recording._material import RecordedMaterial
-
-if TYPE_CHECKING:  # reading a recording needs no kernels
-    from cotouch.mechanics import Model
-
 
 _MATRICES = ("mass", "damping", "stiffness")
 _UNREADABLE = (
@@ -76,7 +73,7 @@ class RecordedBody:
         return self.mass.shape[0] if self.modes is None else self.modes.shape[1]
 
     @classmethod
-    def of(cls, model: "Model", *, weights: Sequence[Matrix] = ()) -> "RecordedBody":
+    def of(cls, model: Model, *, weights: Sequence[Matrix] = ()) -> "RecordedBody":
         """Takes it from a model.
 
         Args:
@@ -190,7 +187,7 @@ class RecordedBody:
         return own | {f"weight{w}": weight for w, weight in enumerate(self.weights)}
 
 
-def _of_material(model: "Model", body: Body, weights: Sequence[Matrix]) -> RecordedBody:
+def _of_material(model: Model, body: Body, weights: Sequence[Matrix]) -> RecordedBody:
     """Masses and what the ground does of its nodes, and the material."""
     order = np.arange(body.nodes) if model.order is None else model.order
     back = np.argsort(order)

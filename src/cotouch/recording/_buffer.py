@@ -2,18 +2,15 @@
 
 import struct
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple, final
+from typing import NamedTuple, final
 
 import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Array, Float, Long
-from cotouch.peer import LinkState
+from cotouch.mechanics import State, Tools
+from cotouch.peer import LinkState, StepReport
 from cotouch.recording._columns import CLOSING, SCALARS, UNSAID, Batch
-
-if TYPE_CHECKING:
-    from cotouch.mechanics import State, Tools
-    from cotouch.peer import StepReport
 
 Extra = Mapping[str, float | Sequence[float] | Array]
 
@@ -93,11 +90,11 @@ class Buffer:
 
     def put(
         self,
-        report: "StepReport",
+        report: StepReport,
         end: float,
         T: float,
-        state: "State",
-        tools: "Tools | None",
+        state: State,
+        tools: Tools | None,
         used: Sequence[int] | Long | None,
         link_state: Sequence[int] | npt.NDArray[np.int8] | None,
         extra: Extra | None,

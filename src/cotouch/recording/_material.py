@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import fields
-from typing import TYPE_CHECKING, Any, final
+from typing import Any, final
 
 import numpy as np
 import numpy.typing as npt
@@ -11,13 +11,28 @@ import scipy.sparse as sp
 from cotouch.arrays import Array, Bool, Float
 from cotouch.body import Body, Material, Skin, SumOfSquares, grip_shares
 from cotouch.errors import BodyError
+from cotouch.mechanics import (
+    SHAPES,
+    Between,
+    Cutting,
+    Model,
+    Obstacle,
+    Solid,
+    begin_world,
+    cutting_of,
+    deepest_between,
+    deepest_point,
+    follow_world,
+    inner_energy,
+    mark_cuts,
+    model,
+    shape_of,
+    show_skin,
+    unsettled,
+)
+from cotouch.mechanics import World as Around
 from cotouch.recording._outside import Outside
-from cotouch.recording._parts import parts_arrays, parts_of_arrays
-from cotouch.recording._solids import NAMES, solid_arrays, solids_of_arrays
-
-if TYPE_CHECKING:  # reading a recording needs no kernels
-    from cotouch.mechanics import Between, Cutting, Model, Obstacle
-    from cotouch.mechanics import World as Around
+from cotouch.recording._parts import NAMES, parts_arrays, parts_of_arrays, solid_arrays, solids_of_arrays
 
 _INNER, _OUTER = ("damping_int", "stiffness_int"), ("mass", "damping_ext", "stiffness_ext")
 _PARTS = ("data", "indices", "indptr")
@@ -39,7 +54,7 @@ class RecordedMaterial:
         between: what its parts do to each other, of several bodies.
     """
 
-    def __init__(self, body: Body, world: Mapping[str, Array] | None = None, between: "Between | None" = None) -> None:
+    def __init__(self, body: Body, world: Mapping[str, Array] | None = None, between: Between | None = None) -> None:
         """Takes a body.
 
         Args:
@@ -53,14 +68,12 @@ class RecordedMaterial:
         self._model: Model | None = None
 
     @classmethod
-    def of(cls, model: "Model") -> "RecordedMaterial":
+    def of(cls, model: Model) -> "RecordedMaterial":
         """Takes a body with a material, and what stands around it, from a model.
 
         Args:
             model: of the session.
         """
-        from cotouch.mechanics import SHAPES, Solid
-
         obstacles, world = model.obstacles, {}
         if obstacles:
             shapes = np.zeros((len(obstacles), _SHAPE))
@@ -78,7 +91,7 @@ class RecordedMaterial:
             world = {"kind": kind, "shape": shapes, "law": np.array(laws), **solid_arrays(solids)}
         return cls(model.body, world, model.between)
 
-    def obstacles(self) -> "list[Obstacle]":
+    def obstacles(self) -> list[Obstacle]:
         """What stands around the body.
 
         Raises:
@@ -86,7 +99,6 @@ class RecordedMaterial:
         """
         if not self.world:
             return []
-        from cotouch.mechanics import SHAPES, Obstacle, shape_of
 
         made: list[Obstacle] = []
         solids = solids_of_arrays(self.world)
@@ -178,8 +190,6 @@ class RecordedMaterial:
             Energy before and after [J], power [W], and what went with the elements that were cut after the step [J],
             each (steps,), all of the whole body.
         """
-        from cotouch.mechanics import inner_energy
-
         made = self._made()
         assert made.force is not None
         memory = made.unturned()
@@ -227,8 +237,6 @@ class RecordedMaterial:
             when: after which step each element was cut, (elements,).
             user: whose copy it is, from 0: only his tools are in it.
         """
-        from cotouch.mechanics import begin_world, cutting_of, follow_world, mark_cuts, unsettled
-
         made = self._made()
         world = None if made.force is None else made.force.world
         if world is None:
@@ -272,8 +280,7 @@ class RecordedMaterial:
             firm += self.between.stiffness
         return float(firm * world.area[: world.moves].sum())
 
-    def _made(self) -> "Model":
-        from cotouch.mechanics import model
+    def _made(self) -> Model:
 
         if self._model is None:
             self._model = model(self.body, obstacles=self.obstacles(), between=self.between)
@@ -304,10 +311,8 @@ class RecordedMaterial:
 _FIELDS = fields(Material)
 
 
-def _mark(made: "Model", cutting: "Cutting | None", memory: Float, gone: Bool) -> None:
+def _mark(made: Model, cutting: Cutting | None, memory: Float, gone: Bool) -> None:
     """Lets a memory know what was cut, and the skin what of it is there."""
-    from cotouch.mechanics import show_skin
-
     world = None if made.force is None else made.force.world
     if cutting is not None and world is not None:
         memory[made.cut : made.cut + gone.size] = gone
@@ -315,10 +320,8 @@ def _mark(made: "Model", cutting: "Cutting | None", memory: Float, gone: Bool) -
         show_skin(cutting, world, memory)
 
 
-def _deepest(world: "Around", memory: Float, x: Float) -> float:
+def _deepest(world: Around, memory: Float, x: Float) -> float:
     """How deep the deepest point is in anything [m]."""
-    from cotouch.mechanics import deepest_between, deepest_point
-
     most = deepest_point(world, memory, x)[0]
     return most if world.bodies is None else max(most, deepest_between(world, world.bodies, memory, x)[0])
 

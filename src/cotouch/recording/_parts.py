@@ -1,15 +1,12 @@
 """Several bodies in a recording: each as one of its own, where it is, and what they do to each other."""
 
-from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
 from cotouch.arrays import Array, Float
 from cotouch.body import Body, Part, ToolBody, joined
-
-if TYPE_CHECKING:  # reading a recording needs no kernels
-    from cotouch.mechanics import Between
+from cotouch.mechanics import Between, Solid
 
 _TURN, _SHIFT, _REST, _BETWEEN = "part_turn", "part_shift", "rest", "between"
 # Of tools: whose each is, from 1, in how many copies it is one, and where it is held; all 0 of what is shared.
@@ -18,7 +15,7 @@ _TOOL, _GRIPS = "part_tool", "grips"
 _MOST, _ROUNDING = 1000, 1e-9
 
 
-def parts_arrays(body: Body, between: "Between | None", own: Callable[[Body], dict[str, Array]]) -> dict[str, Array]:
+def parts_arrays(body: Body, between: Between | None, own: Callable[[Body], dict[str, Array]]) -> dict[str, Array]:
     """Several bodies by name.
 
     Args:
@@ -47,7 +44,7 @@ def parts_arrays(body: Body, between: "Between | None", own: Callable[[Body], di
 
 def parts_of_arrays(
     arrays: Mapping[str, Array], one: Callable[[dict[str, Array], Float], Body]
-) -> "tuple[Body, Between | None]":
+) -> tuple[Body, Between | None]:
     """The inverse of `parts_arrays`.
 
     Args:
@@ -58,8 +55,6 @@ def parts_of_arrays(
         ValueError: they are of no bodies.
         BodyError: of wrong ones.
     """
-    from cotouch.mechanics import Between
-
     turns, shifts = (np.asarray(arrays[name], dtype=np.float64) for name in (_TURN, _SHIFT))
     count = turns.shape[0]
     if turns.shape != (count, 3, 3) or shifts.shape != (count, 3) or not 1 <= count <= _MOST:
@@ -92,3 +87,43 @@ def parts_of_arrays(
     stiffness, loss, friction, kinetic, own = map(float, np.asarray(arrays[_BETWEEN], dtype=np.float64).ravel())
     between = Between(stiffness=stiffness, loss=loss, friction=friction, kinetic=kinetic, own=own != 0.0)
     return joined(parts), between
+
+
+NAMES = ("vertices", "triangles", "ends")
+
+
+def solid_arrays(solids: Sequence[Solid]) -> dict[str, Array]:
+    """Some solids by name: vertices and triangles of all, and where those of each end, (solids, 2); none: nothing.
+
+    Args:
+        solids: one after the other.
+    """
+    if not solids:
+        return {}
+    sizes = [(solid.vertices.shape[0], solid.triangles.shape[0]) for solid in solids]
+    places = np.concatenate([solid.vertices for solid in solids])
+    corners = np.concatenate([solid.triangles for solid in solids])
+    return dict(zip(NAMES, (places, corners, np.cumsum(sizes, axis=0)), strict=True))
+
+
+def solids_of_arrays(arrays: Mapping[str, Array]) -> list[Solid]:
+    """The inverse of `solid_arrays`.
+
+    Args:
+        arrays: by name; nothing of them is believed.
+
+    Raises:
+        BodyError: one is no closed surface.
+        ValueError: they are of no solids.
+    """
+    if "ends" not in arrays:
+        return []
+    places, corners, ends = (np.asarray(arrays[name]) for name in NAMES)
+    begins = np.concatenate([[[0, 0]], ends[:-1]])
+    if ends.ndim != 2 or ends.shape[1] != 2 or (ends < begins).any() or begins.size > 2 * _MOST_SOLIDS:
+        raise ValueError(f"solids end at {ends.tolist()[:3]}")
+    return [Solid(places[v:w], corners[f:g]) for (v, f), (w, g) in zip(begins, ends, strict=True)]
+
+
+# A recording has no more solids.
+_MOST_SOLIDS = 100

@@ -6,20 +6,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from queue import Empty, SimpleQueue
 from threading import Thread
-from typing import TYPE_CHECKING, Any, NamedTuple, final
+from typing import Any, NamedTuple, final
 
 import numpy as np
 import numpy.typing as npt
 
 from cotouch.arrays import Array, Float, Int, Long
+from cotouch.mechanics import State, Tools
+from cotouch.peer import StepReport
 from cotouch.recording._buffer import Buffer, Extents, Extra
 from cotouch.recording._disk import NewFile
 from cotouch.recording._file import RecordingFile
 from cotouch.recording._header import RecordHeader
-
-if TYPE_CHECKING:
-    from cotouch.mechanics import State, Tools
-    from cotouch.peer import StepReport
 
 # Numbers of a state up to which it is kept at every step; of larger ones at so many fewer steps.
 _EVERY_STEP = 256
@@ -183,12 +181,12 @@ class Recorder:
 
     def step(
         self,
-        report: "StepReport",
+        report: StepReport,
         *,
         end: float,
         T: float,
-        state: "State",
-        tools: "Tools | None" = None,
+        state: State,
+        tools: Tools | None = None,
         used: Sequence[int] | Long | None = None,
         link_state: Sequence[int] | npt.NDArray[np.int8] | None = None,
         extra: Extra | None = None,
@@ -258,7 +256,7 @@ class Recorder:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    def _resize(self, report: "StepReport", state: "State", tools: "Tools | None") -> Buffer:
+    def _resize(self, report: StepReport, state: State, tools: Tools | None) -> Buffer:
         """Buffers for other sizes; those of before go when they are written."""
         self._cut()
         links = report.link_work.size

@@ -5,7 +5,7 @@ from cotouch.samples._ages import AgeWindow, LinkAges
 from cotouch.samples._agreement import Agreement, Progress
 from cotouch.samples._assembly import Assembly
 from cotouch.samples._budget import MOST_AGE, BudgetAgreement
-from cotouch.samples._chunk import Chunk, Coded, Heading, Written
+from cotouch.samples._chunk import Chunk, Coded, Heading, Refusal, Written
 from cotouch.samples._codec import Codec
 from cotouch.samples._coded import CodedLink
 from cotouch.samples._emulated_path import EmulatedPath, PathLaw
@@ -17,7 +17,6 @@ from cotouch.samples._limit import Bucket, SourceLimit
 from cotouch.samples._memory import MemoryNetwork, MemoryTransport
 from cotouch.samples._plane import SampleLink, SamplePlane
 from cotouch.samples._rate import LOWEST_RATE, SendRate, Trend
-from cotouch.samples._refusal import Refusal
 from cotouch.samples._replay import ReplayWindow
 from cotouch.samples._seal import MOST_SEALED, OVERHEAD, RENEW_EVERY, Opened, SealedLink, connection_of
 from cotouch.samples._transport import MOST_BYTES, Arrival, Ground, Traffic, Transport

@@ -7,9 +7,8 @@ import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.peer import NO_HEADER, LinkHeader, LinkState, Message, Sample
-from cotouch.samples._chunk import Chunk
+from cotouch.samples._chunk import Chunk, Refusal
 from cotouch.samples._layout import Layout
-from cotouch.samples._refusal import Refusal
 
 
 @final
@@ -123,17 +122,15 @@ class Assembly:
         self._whole, self._chosen = True, None
         return True
 
-    def ready(self, k: int) -> bool:
+    def ready(self, k: int) -> bool:  # noqa: ARG002
         """Always: a step never waits."""
-        del k
         return True
 
-    def choose(self, k: int) -> Sample:
+    def choose(self, k: int) -> Sample:  # noqa: ARG002
         """The newest of every row, with the stamp of the oldest; to be used before the next chunk is taken.
 
         Until every row has arrived it is infinitely old.
         """
-        del k
         if not self._whole:
             return Sample(sender=self.sender, index=-1, stamp=-inf, position=self.state, header=self.header)
         if self._chosen is None:

@@ -29,9 +29,8 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.peer import FULL, ROUNDED, LinkHeader, LinkState, Message, Sample
-from cotouch.samples._chunk import AGED, BRIEF, ECHO, RENEW, Chunk, Coded, Heading, Written
+from cotouch.samples._chunk import AGED, BRIEF, ECHO, RENEW, Chunk, Coded, Heading, Refusal, Written
 from cotouch.samples._layout import ENCODINGS, HEAD_BYTES, Layout
-from cotouch.samples._refusal import Refusal
 
 VERSION = 5
 _FLAGS = ECHO | AGED | RENEW

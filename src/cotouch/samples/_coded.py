@@ -5,10 +5,9 @@ from typing import final
 
 from cotouch.arrays import Float
 from cotouch.peer import Decoder, Encoder, Sample
-from cotouch.samples._chunk import RENEW, Chunk, Coded, Heading
+from cotouch.samples._chunk import RENEW, Chunk, Coded, Heading, Refusal
 from cotouch.samples._codec import Codec
 from cotouch.samples._layout import HEAD_BYTES, Layout
-from cotouch.samples._refusal import Refusal
 from cotouch.samples._seal import OVERHEAD
 
 # Echoes, ages and losses are told at least so often, and whenever a sample is said in full [s].

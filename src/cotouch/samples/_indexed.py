@@ -8,9 +8,8 @@ import numpy as np
 from cotouch.arrays import Float
 from cotouch.errors import SessionError
 from cotouch.peer import NO_HEADER, LinkHeader, Sample
-from cotouch.samples._chunk import Chunk
+from cotouch.samples._chunk import Chunk, Refusal
 from cotouch.samples._layout import Layout
-from cotouch.samples._refusal import Refusal
 
 # Whoever sends indices far ahead is not given memory for them.
 _AHEAD = 64

@@ -106,24 +106,19 @@ class MemoryNetwork:
 
 @final
 class MemoryTransport:
-    """One member's end of a `MemoryNetwork`; see `Transport`."""
+    """One member's end of a `MemoryNetwork`; see `Transport`.
+
+    Attributes:
+        address: where it is.
+        traffic: what went through so far.
+    """
 
     def __init__(self, network: MemoryNetwork, address: str) -> None:
         self._network = network
-        self._address = address
+        self.address = address
         self._neighbours: dict[int, str] = {}
-        self._traffic = Traffic()
+        self.traffic = Traffic()
         self._open = True
-
-    @property
-    def address(self) -> str:
-        """Where it is."""
-        return self._address
-
-    @property
-    def traffic(self) -> Traffic:
-        """What went through so far."""
-        return self._traffic
 
     def send(self, neighbour: int, payload: bytes) -> bool:
         """Hands a datagram to the network.
@@ -133,14 +128,14 @@ class MemoryTransport:
             payload: the datagram.
         """
         if not self._open:
-            self._traffic.unsent["closed"] += 1
+            self.traffic.unsent["closed"] += 1
         elif len(payload) > MOST_BYTES:
-            self._traffic.unsent["too long"] += 1
+            self.traffic.unsent["too long"] += 1
         elif neighbour not in self._neighbours:
-            self._traffic.unsent["no address"] += 1
+            self.traffic.unsent["no address"] += 1
         else:
-            self._network.carry(self._address, self._neighbours[neighbour], payload)
-            self._traffic.count_sent(payload)
+            self._network.carry(self.address, self._neighbours[neighbour], payload)
+            self.traffic.count_sent(payload)
             return True
         return False
 
@@ -152,9 +147,9 @@ class MemoryTransport:
         """Everything that arrived since the last call."""
         if not self._open:
             return []
-        arrived = self._network.collect(self._address)
-        self._traffic.received += len(arrived)
-        self._traffic.received_bytes += sum(len(arrival.payload) for arrival in arrived)
+        arrived = self._network.collect(self.address)
+        self.traffic.received += len(arrived)
+        self.traffic.received_bytes += sum(len(arrival.payload) for arrival in arrived)
         return arrived
 
     def follow(self, neighbour: int, source: Hashable) -> None:
@@ -172,11 +167,11 @@ class MemoryTransport:
 
     def move(self, address: str) -> None:
         """Gets another address, as behind a NAT that forgot its mapping."""
-        self._network.move(self._address, address)
-        self._address = address
+        self._network.move(self.address, address)
+        self.address = address
 
     def close(self) -> None:
         """Leaves the network."""
         if self._open:
             self._open = False
-            self._network.leave(self._address)
+            self._network.leave(self.address)

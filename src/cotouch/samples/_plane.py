@@ -10,13 +10,12 @@ from cotouch.errors import SessionError
 from cotouch.peer import LawLink, LinkGuard, Sample
 from cotouch.samples._ages import LinkAges
 from cotouch.samples._assembly import Assembly
-from cotouch.samples._chunk import AGED, BRIEF, ECHO, RENEW, Chunk, Coded, Heading, Written
+from cotouch.samples._chunk import AGED, BRIEF, ECHO, RENEW, Chunk, Coded, Heading, Refusal, Written
 from cotouch.samples._codec import Codec
 from cotouch.samples._coded import CodedLink
 from cotouch.samples._indexed import IndexedAssembly
 from cotouch.samples._layout import Layout
 from cotouch.samples._rate import SendRate
-from cotouch.samples._refusal import Refusal
 from cotouch.samples._seal import SealedLink, connection_of
 from cotouch.samples._sent import Sent
 from cotouch.samples._transport import Arrival, Transport

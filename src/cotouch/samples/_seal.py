@@ -15,8 +15,8 @@ from typing import NamedTuple, final
 from cryptography.exceptions import InvalidTag
 from cryptography.hazmat.primitives.ciphers.aead import AESGCM
 
+from cotouch.samples._chunk import Refusal
 from cotouch.samples._keys import DirectionKeys, LinkKeys
-from cotouch.samples._refusal import Refusal
 from cotouch.samples._replay import ReplayWindow
 from cotouch.samples._unique import Unique
 

@@ -26,7 +26,11 @@ _MOST_AT_ONCE = 4096
 
 @final
 class UdpTransport:
-    """The sample plane's socket; see `Transport`. Listens on this machine only, unless told otherwise."""
+    """The sample plane's socket; see `Transport`. Listens on this machine only, unless told otherwise.
+
+    Attributes:
+        traffic: what went through so far.
+    """
 
     def __init__(
         self,
@@ -59,7 +63,7 @@ class UdpTransport:
         self._clock = clock
         self._limit = SourceLimit(rate=rate, burst=burst, stranger_rate=stranger_rate, stranger_burst=stranger_burst)
         self._neighbours: dict[int, tuple[str, int]] = {}
-        self._traffic = Traffic()
+        self.traffic = Traffic()
         self._last = clock()
         self._socket: socket.socket | None = _open(str(number), _port(port), six=self._six)
         self._stamped = _ask_for_stamps(self._socket)
@@ -100,11 +104,6 @@ class UdpTransport:
         """Receive buffer that the kernel granted [B]."""
         return 0 if self._socket is None else self._socket.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF)
 
-    @property
-    def traffic(self) -> Traffic:
-        """What went through so far."""
-        return self._traffic
-
     def fileno(self) -> int:
         """For `select` and its kind; -1 when closed."""
         return -1 if self._socket is None else self._socket.fileno()
@@ -118,18 +117,18 @@ class UdpTransport:
         """
         to = self._neighbours.get(neighbour)
         if self._socket is None:
-            self._traffic.unsent["closed"] += 1
+            self.traffic.unsent["closed"] += 1
         elif len(payload) > MOST_BYTES:
-            self._traffic.unsent["too long"] += 1
+            self.traffic.unsent["too long"] += 1
         elif to is None:
-            self._traffic.unsent["no address"] += 1
+            self.traffic.unsent["no address"] += 1
         else:
             try:
                 self._socket.sendto(payload, to)
             except OSError as error:  # buffer full, no route, a firewall: all of them may pass
-                self._traffic.unsent[_why(error)] += 1
+                self.traffic.unsent[_why(error)] += 1
                 return False
-            self._traffic.count_sent(payload)
+            self.traffic.count_sent(payload)
             return True
         return False
 
@@ -160,7 +159,7 @@ class UdpTransport:
         """Everything that arrived since the last call, oldest first; never waits."""
         if self._socket is None:
             return []
-        arrived, traffic, received, behind = list[Arrival](), self._traffic, 0, None
+        arrived, traffic, received, behind = list[Arrival](), self.traffic, 0, None
         read, now = self._socket.recvmsg, self._clock()
         for _ in range(_MOST_AT_ONCE):
             try:

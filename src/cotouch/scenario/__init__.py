@@ -4,6 +4,7 @@ from cotouch.scenario._bodies_table import colours_of
 from cotouch.scenario._body_tables import FileTable
 from cotouch.scenario._channel import Channel
 from cotouch.scenario._drawn_texture import DrawnTexture
+from cotouch.scenario._files import tables_with_file
 from cotouch.scenario._hands import Hands, grip, ports_of
 from cotouch.scenario._law_choice import makes_tree, options_of_springs, with_law_of_session
 from cotouch.scenario._leading import (
@@ -90,6 +91,7 @@ __all__ = [
     "resolve_penetration",
     "rows_of",
     "sentence",
+    "tables_with_file",
     "tool_record",
     "tools_of",
     "touching_of",

@@ -1,9 +1,9 @@
-"""Whether a sphere stands clear of a body: how near its skin is, and on which side."""
+"""Whether spheres and closed surfaces stand clear of each other: how near they are, and on which side."""
 
 import numpy as np
 
-from cotouch.arrays import Float
-from cotouch.body import Body, drawn_tools
+from cotouch.arrays import Float, Int
+from cotouch.body import Body, drawn_tools, winding
 
 # Share of a sphere's radius that rounding in a scenario may cost.
 _SLACK = 1e-6
@@ -30,10 +30,10 @@ def resolve_penetration(
     for first, last, owner in drawn_tools(body):
         there[first:last] = owner == user
     corners = (skin.vertices + skin.carried(displacement))[skin.triangles[there[skin.triangles[:, 0]]]]
-    near = _nearest(corners, centre)
+    near = nearest_places(corners, centre)
     best = int(np.argmin(np.linalg.norm(near - centre, axis=1)))
     nearest = near[best]
-    side = -1.0 if _winding(corners - centre) > 0.5 else 1.0
+    side = -1.0 if winding(corners - centre) > 0.5 else 1.0
     normal = np.cross(corners[best, 1] - corners[best, 0], corners[best, 2] - corners[best, 0])
     away = centre - nearest
     distance = float(np.linalg.norm(away))
@@ -44,8 +44,13 @@ def resolve_penetration(
     return depth, nearest + way * (radius / np.linalg.norm(way))
 
 
-def _nearest(corners: Float, point: Float) -> Float:
-    """Nearest place to a point on every triangle, (F, 3): on its face if the point stands over it, else on an edge."""
+def nearest_places(corners: Float, point: Float) -> Float:
+    """Nearest place to a point on every triangle, (F, 3): on its face if the point stands over it, else on an edge.
+
+    Args:
+        corners: of the triangles, (F, 3, 3) [m].
+        point: (3,) [m].
+    """
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     best = a.copy()
     least = np.full(a.shape[0], np.inf)
@@ -66,10 +71,31 @@ def _nearest(corners: Float, point: Float) -> Float:
     return best
 
 
-def _winding(corners: Float) -> float:
-    """How often the triangles go around the origin: 1 inside a closed surface, 0 outside [van Oosterom & Strackee]."""
-    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
-    x, y, z = (np.linalg.norm(side, axis=1) for side in (a, b, c))
-    volume = (a * np.cross(b, c)).sum(axis=1)
-    around = x * y * z + (a * b).sum(axis=1) * z + (b * c).sum(axis=1) * x + (c * a).sum(axis=1) * y
-    return float(np.arctan2(volume, around).sum() / (2.0 * np.pi))
+# Places along each axis of what the boxes around two surfaces have in common.
+_ALONG = 4
+
+
+def overlap(one: tuple[Float, Int], two: tuple[Float, Int]) -> float:
+    """How deep some place is in both of two closed surfaces, 0 where none was found [m].
+
+    What the skins of both run through is found by their points; this finds one within another, or in the same place.
+
+    Args:
+        one: vertices (V, 3) [m] and triangles (F, 3), turned outwards.
+        two: of the other.
+    """
+    low = np.maximum(one[0].min(axis=0), two[0].min(axis=0))
+    high = np.minimum(one[0].max(axis=0), two[0].max(axis=0))
+    if (low >= high).any():
+        return 0.0
+    at = (np.arange(_ALONG) + 0.5) / _ALONG
+    grid = np.stack(np.meshgrid(at, at, at, indexing="ij"), axis=-1).reshape(-1, 3)
+    places = low + grid * (high - low)
+    surfaces = sorted((vertices[triangles] for vertices, triangles in (one, two)), key=len)
+    for corners in surfaces:
+        places = places[[winding(corners - place) > 0.5 for place in places]]
+    return max((min(_distance(place, corners) for corners in surfaces) for place in places), default=0.0)
+
+
+def _distance(place: Float, corners: Float) -> float:
+    return float(np.linalg.norm(nearest_places(corners, place) - place, axis=1).min())

@@ -1,7 +1,6 @@
 """The table of a scenario for tools that are rigid bodies: moved by a pose, with force and torque."""
 
 from collections.abc import Mapping
-from itertools import pairwise
 from typing import Annotated, Any, Self, cast, final
 
 import numpy as np
@@ -10,7 +9,7 @@ from pydantic import Discriminator, Field, SerializerFunctionWrapHandler, Tag, m
 from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.scenario._body_tables import FileTable, RigidBoxTable, RigidCylinderTable, RigidSphereTable
-from cotouch.scenario._tables import Firm, NonNegative, Number, Place, Positive, Table
+from cotouch.scenario._tables import Firm, NonNegative, Number, Place, Positive, Table, check_times
 from cotouch.scenario._tool_tables import RIGID, SimulatedDeviceTable, ToolHand, ToolPath, ToolTable
 
 _OWN = ("user", "at", "turn", "handle", "hand", "device")
@@ -60,10 +59,7 @@ class PoseHand(Table):
                 f"path is {self.path}; it must be 3 numbers, 6 with the rotation of the tool, or waypoints of a time "
                 "and such numbers"
             )
-        if any(b[0] <= a[0] for a, b in pairwise(rows)):
-            raise ValueError(f"the times of path are {[row[0] for row in rows]}; they must increase")
-        if self.release is not None and self.release <= self.begin:
-            raise ValueError(f"release is {self.release} s but begin is {self.begin} s; it must be later")
+        check_times(self.begin, self.release, [row[0] for row in rows])
         return self
 
     def poses(self) -> Float:

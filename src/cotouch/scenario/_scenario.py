@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Mapping
+from contextlib import AbstractContextManager
 from html import escape
 from math import inf
 from pathlib import Path
@@ -11,12 +12,13 @@ import numpy as np
 from pydantic import Field, InstanceOf, PrivateAttr, ValidationError, field_validator, model_validator
 
 from cotouch.body import Body, Placed, together, with_faces
-from cotouch.errors import ScenarioError
-from cotouch.files import list_of, read_text, table_of, toml, toml_text
+from cotouch.errors import ScenarioError, naming
+from cotouch.files import list_of, read_text, toml, toml_text
 from cotouch.network import Network
 from cotouch.scenario._bodies_table import BetweenTable, Parts, PartTable, placed_bodies
 from cotouch.scenario._body_tables import BodySource, FileTable, PointTable
 from cotouch.scenario._channel import Channel
+from cotouch.scenario._files import tables_with_file
 from cotouch.scenario._held_nodes import held_node, refuse_axes
 from cotouch.scenario._law_choice import choose_law, with_law_of_session
 from cotouch.scenario._messages import sentence
@@ -35,6 +37,7 @@ from cotouch.scenario._tool_tables import ContactTable, CuttingTable, ToolTable
 from cotouch.scenario._traces import Trace
 from cotouch.scenario._world_table import WorldTable
 
+_UNNAMED = "the scenario"  # what messages call one that is from no file
 # Nodes of a truncated body next to a tool's start that keep their local stiffness.
 _NEAR = 4
 
@@ -73,8 +76,9 @@ class Scenario(Table):
     record: RecordTable = RecordTable()
     _built: Body | None = PrivateAttr(default=None)
     _trace: Trace | None = PrivateAttr(default=None)
+    _source: str = PrivateAttr(default="")
 
-    def __init__(self, *, source: str = "the scenario", **tables: object) -> None:
+    def __init__(self, *, source: str = _UNNAMED, **tables: object) -> None:
         """Makes a scenario from tables or objects.
 
         Args:
@@ -88,6 +92,7 @@ class Scenario(Table):
             super().__init__(**tables)
         except ValidationError as error:
             raise ScenarioError(sentence(error, source)) from None
+        self._source = source if source != _UNNAMED else ""
 
     @model_validator(mode="after")
     def _one_index(self) -> Self:
@@ -126,7 +131,7 @@ class Scenario(Table):
         return cls.from_toml(text, source=str(path), folder=Path(path).parent)
 
     @classmethod
-    def from_toml(cls, text: str, *, source: str = "the scenario", folder: Path | None = None) -> "Scenario":
+    def from_toml(cls, text: str, *, source: str = _UNNAMED, folder: Path | None = None) -> "Scenario":
         """Reads a scenario from TOML text; `source` names it in messages, files it names are relative to `folder`.
 
         A table `[session]` says how live sessions go and is left out here, so that a session's file is a scenario too;
@@ -143,14 +148,12 @@ class Scenario(Table):
             raise ScenarioError(f"{source} has no [network] table; it needs one with users, spring and delay")
         table["network"] = Network.from_table(table["network"], source=source)
         if folder is not None:
-            inner = (("world", "meshes"), ("channel", "trace"), ("contact", "texture"))
-            own = ((table, name) for name in ("body", "bodies", "tools"))
-            for holder, name in (*own, *((table.get(a), b) for a, b in inner)):
-                _rooted(holder, name, folder)
+            for holder, file in tables_with_file(table):
+                holder["file"] = str(folder / file)
         return cls.make(source=source, **table)
 
     @classmethod
-    def make(cls, *, source: str = "the scenario", **tables: object) -> "Scenario":
+    def make(cls, *, source: str = _UNNAMED, **tables: object) -> "Scenario":
         """Makes a scenario from tables or objects; errors are one sentence each.
 
         Raises:
@@ -177,11 +180,12 @@ class Scenario(Table):
                 raise ScenarioError(f'"{table}" is not a table of scenarios; tables are {", ".join(tables)}')
             tables[table] = {**self._options_of(table, tables[table]), option: value} if option else value
         result = type(self).make(**tables)
+        result._source, changed = self._source, {name.partition("__")[0] for name in changes}
         several = {"body", "bodies", "between", "hands", "tools", "world", "cutting"}
         several |= {"network"} if self.rigid_tools else set()  # how many users there are makes up their mass
-        if not {name.partition("__")[0] for name in changes} & several:
+        if not changed & several:
             result._built = self._built
-        if "channel" not in {name.partition("__")[0] for name in changes}:
+        if "channel" not in changed:
             result._trace = self._trace
         return result
 
@@ -237,16 +241,24 @@ class Scenario(Table):
     def build_body(self) -> Body:
         """The shared object; read and built once."""
         if self._built is None:
-            body = self._weighing(self._bare())
-            if isinstance(self.body, FileTable) and self.body.modes is not None:
-                held = {held_node(self.hands[index], index, body) - 1 for index in range(len(self.hands))}
-                for tool in self.proxies:  # what a tool meets first yields as the whole body does
-                    away = np.linalg.norm(body.rest - np.array(tool.at), axis=1)
-                    held.update(int(node) for node in np.argsort(away, kind="stable")[:_NEAR])
-                body = body.truncated(modes=self.body.modes, contacts=sorted(held))
-            body = self._cuttable(body)
-            self._built = body.with_places(self._places(body)) if body.rigid else body
+            with self.naming():
+                self._built = self._build()
         return self._built
+
+    def naming(self) -> AbstractContextManager[None]:
+        """Meanwhile, what is found wrong names the file that the scenario is from, if it is from one."""
+        return naming(self._source)
+
+    def _build(self) -> Body:
+        body = self._weighing(self._bare())
+        if isinstance(self.body, FileTable) and self.body.modes is not None:
+            held = {held_node(self.hands[index], index, body) - 1 for index in range(len(self.hands))}
+            for tool in self.proxies:  # what a tool meets first yields as the whole body does
+                away = np.linalg.norm(body.rest - np.array(tool.at), axis=1)
+                held.update(int(node) for node in np.argsort(away, kind="stable")[:_NEAR])
+            body = body.truncated(modes=self.body.modes, contacts=sorted(held))
+        body = self._cuttable(body)
+        return body.with_places(self._places(body)) if body.rigid else body
 
     def _bare(self) -> Body:
         """As its tables say, without what the world adds."""
@@ -328,7 +340,7 @@ class Scenario(Table):
     def to_toml(self) -> str:
         """The scenario as the text of a file, with what was given and no defaults; `from_toml` makes the same of it.
 
-        Paths of meshes become absolute.
+        Paths of files become absolute.
 
         Raises:
             ScenarioError: its body was made in Python, which no file can say.
@@ -346,11 +358,8 @@ class Scenario(Table):
                 tables[name] = [entry.model_dump(exclude_unset=True) for entry in cast("list[Table]", value)]
             else:
                 tables[name] = value.model_dump(exclude_unset=True) if isinstance(value, Table) else value
-        if isinstance(self.body, FileTable):
-            tables["body"]["file"] = str(Path(self.body.file).resolve())
-        for table in (*tables.get("bodies", []), *tables.get("tools", []), *tables.get("world", {}).get("meshes", [])):
-            if "file" in table:
-                table["file"] = str(Path(table["file"]).resolve())
+        for table, file in tables_with_file(tables):
+            table["file"] = str(Path(file).resolve())
         return toml_text({name: table for name, table in tables.items() if table not in ({}, [], "")})
 
     def _repr_html_(self) -> str:  # pyright: ignore[reportUnusedFunction]
@@ -389,12 +398,3 @@ class Scenario(Table):
         if self.cutting is not None:
             tables["cutting"] = self.cutting.model_dump()
         return json.dumps(tables)
-
-
-def _rooted(holder: object, name: str, folder: Path) -> None:
-    """Makes files relative to a folder that a table names, or each of a list of tables."""
-    given = (table_of(holder) or {}).get(name)
-    for one in list_of(given) or [given]:
-        table = table_of(one)
-        if table is not None and isinstance(file := table.get("file"), str):
-            table["file"] = str(folder / file)

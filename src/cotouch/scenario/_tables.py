@@ -64,6 +64,20 @@ class Table(BaseModel):
         return table
 
 
+def check_times(begin: float, release: float | None, waypoints: Sequence[float] = ()) -> None:
+    """Refuses times in a wrong order.
+
+    Args:
+        begin: when it takes hold [s].
+        release: when it lets go [s]; None: never.
+        waypoints: times of a path [s].
+    """
+    if any(b <= a for a, b in pairwise(waypoints)):
+        raise ValueError(f"the times of path are {waypoints}; they must increase")
+    if release is not None and release <= begin:
+        raise ValueError(f"release is {release} s but begin is {begin} s; it must be later")
+
+
 Place = Annotated[list[Coordinate], Field(min_length=3, max_length=3)]
 
 
@@ -215,12 +229,8 @@ class HandTable(Table):
             far = next((number for number in _numbers(value) if abs(number) > FARTHEST), None)
             if far is not None:
                 raise ValueError(f"{name} has the number {far:g}; it must be within {FARTHEST:g}")
-        if self.release is not None and self.release <= self.begin:
-            raise ValueError(f"release is {self.release} s but begin is {self.begin} s; it must be later")
-        if isinstance(self.path, list) and self.path and isinstance(self.path[0], list):
-            times = [row[0] for row in self.path if isinstance(row, list) and row]
-            if any(b <= a for a, b in pairwise(times)):
-                raise ValueError(f"the times of path are {times}; they must increase")
+        rows = self.path if isinstance(self.path, list) else []
+        check_times(self.begin, self.release, [row[0] for row in rows if isinstance(row, list) and row])
         return self
 
 

@@ -1,7 +1,6 @@
 """The tables of a scenario for tools: proxies, the devices that move them, and the hands on those."""
 
 from collections.abc import Mapping, Sequence
-from itertools import pairwise
 from typing import Annotated, Literal, Self, cast, final, get_args
 
 from pydantic import Discriminator, Field, FiniteFloat, Tag, model_validator
@@ -10,7 +9,7 @@ from cotouch.device import PRESETS, installed_coupling
 from cotouch.errors import DeviceError, ScenarioError
 from cotouch.mechanics import contact_law_named
 from cotouch.scenario._surface_tables import SnapTable, TextureTable
-from cotouch.scenario._tables import Coordinate, Firm, NonNegative, Number, Place, Positive, Table
+from cotouch.scenario._tables import Coordinate, Firm, NonNegative, Number, Place, Positive, Table, check_times
 
 # Of a device's servo, where neither a scenario nor a product says it [Hz].
 DEFAULT_RATE = 1000.0
@@ -82,10 +81,7 @@ class ToolHand(Table):
             raise ValueError(f"path has the waypoint {wrong}; it must be a time and 3 numbers")
         if not rows and len(self.path) != 3:
             raise ValueError(f"path is {self.path}; it must be 3 numbers or waypoints [time, x, y, z]")
-        if any(b[0] <= a[0] for a, b in pairwise(rows)):
-            raise ValueError(f"the times of path are {[row[0] for row in rows]}; they must increase")
-        if self.release is not None and self.release <= self.begin:
-            raise ValueError(f"release is {self.release} s but begin is {self.begin} s; it must be later")
+        check_times(self.begin, self.release, [row[0] for row in rows])
         return self
 
 
@@ -290,8 +286,7 @@ class ToolTable(Table):
 
     @model_validator(mode="after")
     def _after(self) -> Self:
-        if self.release is not None and self.release <= self.begin:
-            raise ValueError(f"release is {self.release} s but begin is {self.begin} s; it must be later")
+        check_times(self.begin, self.release)
         if self.hand is not None and self.device is None:
             for name in _OF_DEVICES:
                 if name in self.hand.model_fields_set:

@@ -24,7 +24,7 @@ from cotouch.mechanics import (
     deepest_point,
     unsettled,
 )
-from cotouch.scenario._overlap import overlap
+from cotouch.scenario._penetration import overlap
 from cotouch.scenario._tables import MeetingTable, NonNegative, Place, Positive, Table
 
 _MOST = 16
@@ -160,9 +160,8 @@ class MeshTable(_ObstacleTable):
 
 
 @lru_cache(maxsize=_MOST)
-def _surface(file: str, unit: Unit | None, most: int, changed: int) -> tuple[Float, Int]:
+def _surface(file: str, unit: Unit | None, most: int, changed: int) -> tuple[Float, Int]:  # noqa: ARG001
     """A closed surface, read once; `changed` says when the file was written last."""
-    del changed
     vertices, triangles, _ = closed_surface(file, unit=unit, most_triangles=most)
     return vertices, triangles
 

@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Callable
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager, closing, nullcontext
 from dataclasses import dataclass, field
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -114,26 +114,26 @@ def _played(
     with shared_with_another_process(session) if touched and cold else nullcontext():
         interruptible(warm_up)(replica, lambda model: CommandedHand(Slot.of(session, replica, 0, model)))
     say("starting the users")
-    with open_host(session) as opened, mailbox_folder() as mailboxes:
-        api = DemoSessionApi(session, opened, replica, mailboxes, record=record, rouse=seconds is None)
-        try:
-            with beside(api):
-                api.start()
-                began = _gather(api, each, stopped)
-                api.choose_links()
-                end = began + (float("inf") if seconds is None else seconds)
-                while time.monotonic() < end and not stopped():
-                    _turn(api, each)
-                left = opened.host.watch.left  # before all leave
-                opened.host.end()
-                took = time.monotonic() - began
-                finish = time.monotonic() + 10.0
-                while time.monotonic() < finish and any(member.running for member in api.members.values()):
-                    _turn(api, None)
-                _turn(api, None)  # what they said last
-            return _summed(api, took, left=left)
-        finally:
-            api.close()
+    with (
+        open_host(session) as opened,
+        mailbox_folder() as mailboxes,
+        closing(DemoSessionApi(session, opened, replica, mailboxes, record=record, rouse=seconds is None)) as api,
+    ):
+        with beside(api):
+            api.start()
+            began = _gather(api, each, stopped)
+            api.choose_links()
+            end = began + (float("inf") if seconds is None else seconds)
+            while time.monotonic() < end and not stopped():
+                _turn(api, each)
+            left = opened.host.watch.left  # before all leave
+            opened.host.end()
+            took = time.monotonic() - began
+            finish = time.monotonic() + 10.0
+            while time.monotonic() < finish and any(member.running for member in api.members.values()):
+                _turn(api, None)
+            _turn(api, None)  # what they said last
+        return _summed(api, took, left=left)
 
 
 def all_move(api: DemoSessionApi) -> bool:

@@ -304,17 +304,13 @@ class DemoSessionApi(SteeredMembers):
         for to, of in ((a, b), (b, a)):
             self._commands.impair(to, of, cut=float(command.on))
         self.acted = True
-        said = f"the path {self._names[a]} - {self._names[b]} is {'cut' if command.on else 'restored'}"
-        self._say(time.monotonic(), said)
-        return said
+        return self._told(f"the path {self._names[a]} - {self._names[b]} is {'cut' if command.on else 'restored'}")
 
     def _kill(self, name: str) -> str:
         if name not in self.members or name in self._killed:
             raise SessionError(f"{name} is not running on this machine")
         self._end(name)
-        said = f"{name}'s process was killed; its place is kept for it"
-        self._say(time.monotonic(), said)
-        return said
+        return self._told(f"{name}'s process was killed; its place is kept for it")
 
     def _end(self, name: str) -> None:
         self._killed.add(name)
@@ -330,9 +326,9 @@ class DemoSessionApi(SteeredMembers):
         if name in self.members and name not in self._killed:
             self._end(name)
         self.acted = True
-        said = f"{name} was expelled for the rest of the session" if elsewhere else f"the place of {name} is free"
-        self._say(time.monotonic(), said)
-        return said
+        return self._told(
+            f"{name} was expelled for the rest of the session" if elsewhere else f"the place of {name} is free"
+        )
 
     def _revive(self, name: str) -> str:
         if name in self.members and name not in self._killed:
@@ -352,10 +348,13 @@ class DemoSessionApi(SteeredMembers):
 
     def _damp(self, fraction: float) -> str:
         self._damping.give(fraction)
-        now = time.monotonic()
         if fraction < 1.0:
             self.acted = self.lowered = True
-            self._say(now, f"ALARM: damping is {100.0 * fraction:.2g} % of what passivity needs; this is not passive")
+            self._told(f"ALARM: damping is {100.0 * fraction:.2g} % of what passivity needs; this is not passive")
             return f"damping is {100.0 * fraction:.2g} % of what passivity needs, and no link is guarded"
-        self._say(now, "damping is what passivity needs, and links are guarded")
-        return "damping is what passivity needs, and links are guarded"
+        return self._told("damping is what passivity needs, and links are guarded")
+
+    def _told(self, text: str) -> str:
+        """Of what has just been done: what everybody who looks on reads is the answer, too."""
+        self._say(time.monotonic(), text)
+        return text

@@ -4,7 +4,7 @@ import os
 import socket
 import time
 from collections.abc import Callable, Generator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -95,8 +95,7 @@ def _joined(
         tell("opening the device")
     with held_device(part.device, warn) as held, _identity(invitation, part, warn) as identity:
         tell("joining")
-        control = ZenohControl(invitation, identity, listen=part.listen or "reachable")
-        try:
+        with closing(ZenohControl(invitation, identity, listen=part.listen or "reachable")) as control:
             with TemporaryDirectory(prefix="cotouch-") as folder:
                 tell("fetching the session")
                 session = fetch_session(control, invitation, Path(folder))
@@ -112,8 +111,19 @@ def _joined(
             return take_part(
                 session, replica, control, invitation, part, held, stopped=stopped, warn=warn, say=tell, file=file
             )
-        finally:
-            control.close()
+
+
+def looking_on(invitation: Invitation, listen: str | None) -> closing[ZenohControl]:
+    """The control plane of somebody who takes no part, for a `with`.
+
+    Args:
+        invitation: to the session.
+        listen: address in numbers to listen on; None: the one by which this machine reaches the host.
+
+    Raises:
+        TransportError: the network or this machine refuses.
+    """
+    return closing(ZenohControl(invitation, Identity.make(os.urandom), listen=listen or "reachable"))
 
 
 @contextmanager

@@ -1,6 +1,5 @@
 """How far those who take part are from each other, as their own machines find it."""
 
-import os
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,12 +9,11 @@ from typing import final
 
 import numpy as np
 
-from cotouch.control import Invitation, ZenohControl
+from cotouch.control import Invitation
 from cotouch.errors import SessionError
 from cotouch.members import Pair, SessionFile, SessionWatch, delays_of
 from cotouch.network import Network
-from cotouch.samples import Identity
-from cotouch.session._join import fetch_session
+from cotouch.session._join import fetch_session, looking_on
 
 _POLL = 0.02
 
@@ -102,8 +100,7 @@ def measure(
         SessionError: fewer than two take part.
         TransportError: nobody answers, or this machine refuses.
     """
-    control = ZenohControl(invitation, Identity.make(os.urandom), listen=listen or "reachable")
-    try:
+    with looking_on(invitation, listen) as control:
         with TemporaryDirectory(prefix="cotouch-") as folder:
             session = fetch_session(control, invitation, Path(folder))
         watch = SessionWatch(control, host=invitation.host, network=session.scenario.network)
@@ -112,8 +109,6 @@ def measure(
             watch.service(time.monotonic())
             time.sleep(_POLL)
         return measured(watch, session)
-    finally:
-        control.close()
 
 
 def _text(name: str) -> str:

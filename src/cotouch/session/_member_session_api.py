@@ -1,21 +1,19 @@
 """One's own part in a session as a stage: a process for the own copy, and of the others what it knows of them."""
 
-import os
 import time
 from collections.abc import Generator, Sequence
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import final
 
-from cotouch.control import Invitation, ZenohControl
+from cotouch.control import Invitation
 from cotouch.errors import SessionError
 from cotouch.hands import usual_stiffness
 from cotouch.members import SessionFile, SessionWatch, SharedModel
 from cotouch.observers import Command, MailboxFolder, Overview, Scene, mailbox_folder
-from cotouch.samples import Identity
 from cotouch.session import _requests
-from cotouch.session._join import fetch_session
+from cotouch.session._join import fetch_session, looking_on
 from cotouch.session._process import MemberProcess
 from cotouch.session._steered import SteeredMembers
 
@@ -165,22 +163,20 @@ def member_session_api(
         TransportError: the host, the network or this machine refuses.
         SessionError: it is no session of this version.
     """
-    control = ZenohControl(invitation, Identity.make(os.urandom), listen=listen or "reachable")
-    try:
-        with TemporaryDirectory(prefix="cotouch-") as folder, mailbox_folder() as mailboxes:
-            session = fetch_session(control, invitation, Path(folder))
-            api = MemberSessionApi(
-                session,
-                SharedModel.build(session),
-                SessionWatch(control, host=invitation.host, network=session.scenario.network),
-                invitation,
-                mailboxes,
-                name=name,
-                options=[*([] if listen is None else ["--listen", listen]), *options],
-            )
-            try:
-                yield api
-            finally:
-                api.close()
-    finally:
-        control.close()
+    with (
+        looking_on(invitation, listen) as control,
+        TemporaryDirectory(prefix="cotouch-") as folder,
+        mailbox_folder() as mailboxes,
+    ):
+        session = fetch_session(control, invitation, Path(folder))
+        api = MemberSessionApi(
+            session,
+            SharedModel.build(session),
+            SessionWatch(control, host=invitation.host, network=session.scenario.network),
+            invitation,
+            mailboxes,
+            name=name,
+            options=[*([] if listen is None else ["--listen", listen]), *options],
+        )
+        with closing(api):
+            yield api

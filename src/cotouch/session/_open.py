@@ -3,7 +3,7 @@
 import os
 from collections.abc import Generator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
+from contextlib import ExitStack, closing, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -14,6 +14,7 @@ from cotouch.errors import SessionError
 from cotouch.members import Admission, Host, SessionFile, SessionWatch, SharedModel, addresses_of
 from cotouch.pacing import few_arenas
 from cotouch.samples import Identity, UdpTransport
+from cotouch.session._join import looking_on
 from cotouch.session._keep import KeptHost, keep_host, kept_host
 from cotouch.session._planner import LinkPlanner
 from cotouch.traversal import Addresses, RoutedTransport
@@ -79,9 +80,9 @@ def open_host(
         keep_host(key_file, kept)
     identity, invitation = kept.identity, kept.invitation
     at = invitation.endpoints[0]
-    planner = LinkPlanner(session) if session.options.links == "plan" else None
-    control = ZenohControl(invitation, identity)
-    try:
+    with ExitStack() as stack:
+        control = stack.enter_context(closing(ZenohControl(invitation, identity)))
+        planner = stack.enter_context(closing(LinkPlanner(session))) if session.options.links == "plan" else None
         addresses = Addresses(os.urandom)
         mirror = RoutedTransport(
             UdpTransport(host=at.host, port=at.port),
@@ -91,27 +92,18 @@ def open_host(
             entropy=os.urandom,
             addresses=addresses,
         )
-        try:
-            each = session.options.per_address or -(-session.slots // 2)
-            admission = Admission(session, fingerprint=None, each=each, where=addresses_of(addresses, {at.host}))
-            host = Host(
-                session,
-                control,
-                planner=planner,
-                admission=admission,
-                kept=kept.decision,
-                keep=None
-                if key_file is None
-                else lambda decision: keep_host(key_file, kept._replace(decision=decision)),
-            )
-            with _Built(session) as built:
-                yield OpenHost(invitation, host, control, mirror, built)
-        finally:
-            mirror.close()
-    finally:
-        if planner is not None:
-            planner.close()
-        control.close()
+        stack.callback(mirror.close)
+        each = session.options.per_address or -(-session.slots // 2)
+        admission = Admission(session, fingerprint=None, each=each, where=addresses_of(addresses, {at.host}))
+        host = Host(
+            session,
+            control,
+            planner=planner,
+            admission=admission,
+            kept=kept.decision,
+            keep=None if key_file is None else lambda decision: keep_host(key_file, kept._replace(decision=decision)),
+        )
+        yield OpenHost(invitation, host, control, mirror, stack.enter_context(_Built(session)))
 
 
 def _new_host(session: SessionFile, listen: str, port: int | None) -> KeptHost:
@@ -173,8 +165,5 @@ def watching(invitation: Invitation, *, listen: str | None = None) -> Generator[
     Raises:
         TransportError: the network or this machine refuses.
     """
-    control = ZenohControl(invitation, Identity.make(os.urandom), listen=listen or "reachable")
-    try:
+    with looking_on(invitation, listen) as control:
         yield SessionWatch(control, host=invitation.host)
-    finally:
-        control.close()

@@ -15,7 +15,7 @@ from cotouch.hands import CommandedHand
 from cotouch.mechanics import Model, closed_step, contact_step, step
 from cotouch.members import Hand, SessionFile, SharedModel, Slot
 from cotouch.peer import FreshestLink, Link, LinkGuard, Peer, Sample
-from cotouch.processes import start_child
+from cotouch.processes import aside
 
 _T = 1e-3
 _HELD = 1e-30  # [J]
@@ -60,21 +60,11 @@ def shared_with_another_process(session: SessionFile) -> Generator[None]:
     Args:
         session: that is taken part in.
     """
-    program = "from cotouch.processes import tie_to_parent; tie_to_parent(); from cotouch.session._warm import parts; "
-    process = start_child(
-        [sys.executable, "-c", program + "parts()"],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-    )
-    try:
+    with aside(__name__, parts.__name__, stdin=subprocess.PIPE) as process:
         assert process.stdin is not None
         with suppress(OSError), process.stdin as file:
             pickle.dump((session.content, session.files), file)
         yield
-    finally:
-        process.kill()
-        process.wait()
 
 
 def parts() -> None:

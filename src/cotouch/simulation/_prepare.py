@@ -90,7 +90,11 @@ def prepare(scenario: Scenario) -> Prepared:
         BodyError: the body is wrong, or a link weight does not fit it.
         UnsupportedError: a damping method that cannot do this network or timing.
     """
-    scenario = scenario.placed()
+    with scenario.naming():
+        return _prepared(scenario.placed())
+
+
+def _prepared(scenario: Scenario) -> Prepared:
     network = scenario.network
     body = scenario.build_body()
     ready = model(

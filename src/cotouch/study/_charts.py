@@ -2,16 +2,17 @@
 # matplotlib's keywords have no types
 """The figures of the report."""
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from cotouch import drawing
+from cotouch.arrays import Float
 from cotouch.network import Network
 from cotouch.simulation import shade_hold
 from cotouch.study._bound import Bound
 from cotouch.study._certificates import Certificates
+from cotouch.study._data import listed
 from cotouch.study._errata import Errata
 from cotouch.study._experiment import DURATION, RELEASE, Experiment
 from cotouch.study._modes import Modes
@@ -119,9 +120,7 @@ def held_and_released(found: Experiment) -> "Figure":
         for panel in (top, middle, bottom):
             shade_hold(panel, run, label=panel is top)
         _positions(top, run, unit=1e-3)
-        for user in range(run.sizes["user"]):
-            line = drawing.decimate(run["time"].values[user][1:], run["force"].values[user, 1:, 0])
-            middle.plot(*line, **drawing.user_line(user))
+        _each(middle, run["time"].values[:, 1:], run["force"].values[:, 1:, 0])
         total = run["force"].values[:, 1:, 0].sum(axis=0)
         bottom.plot(*drawing.decimate(run["time"].values[0][1:], total), color=drawing.INK)
         for panel, name in ((top, "position"), (middle, "force")):
@@ -256,7 +255,7 @@ def below(found: Bound) -> "Figure":
     names = (
         ("rule", "The rule"),
         ("alone", f"{_percent(found.fractions['alone'])} of the rule, nobody holds"),
-        ("held", f"{_percent(found.fractions['held'])}, users {_and(found.held)} hold still"),
+        ("held", f"{_percent(found.fractions['held'])}, users {listed(found.held)} hold still"),
         ("below", f"{_percent(found.fractions['below'])} of the rule, nobody holds"),
     )
     for panel, (name, title) in zip(panels.flat, names, strict=True):
@@ -275,9 +274,7 @@ def attacks(found: Bound) -> "Figure":
     pushes, work = figure.subplots(1, 2)
     worst = found.attacks["rule", 0.5].run
     size = drawing.peak(worst["force"].values)
-    for user in range(worst.sizes["user"]):
-        line = drawing.decimate(worst["time"].values[user][1:], worst["force"].values[user, 1:, 0] / size)
-        pushes.plot(*line, **drawing.user_line(user))
+    _each(pushes, worst["time"].values[:, 1:], worst["force"].values[:, 1:, 0] / size)
     pushes.set(title="Worst forces at half the rule", xlabel="Time / s", ylabel="Force, share of the largest")
     drawing.figure_legend(figure, [str(name) for name in worst["user"].values])
     colors = (drawing.INK, _GOOD, drawing.USERS[4], drawing.ALARM)
@@ -378,9 +375,13 @@ def consensus(found: Errata) -> "Figure":
 
 
 def _positions(axes: "Axes", run: "xr.Dataset", *, unit: float) -> None:
-    for user in range(run.sizes["user"]):
-        line = drawing.decimate(run["time"].values[user], run["position"].values[user, :, 0, 0] / unit, 700)
-        axes.plot(*line, **drawing.user_line(user))
+    _each(axes, run["time"].values, run["position"].values[:, :, 0, 0] / unit, 700)
+
+
+def _each(axes: "Axes", times: Float, values: Float, *points: int) -> None:
+    """A line for each user, of a row of times and one of values."""
+    for user, (time, line) in enumerate(zip(times, values, strict=True)):
+        axes.plot(*drawing.decimate(time, line, *points), **drawing.user_line(user))
 
 
 def _signed(value: float) -> str:
@@ -389,8 +390,3 @@ def _signed(value: float) -> str:
 
 def _percent(fraction: float) -> str:
     return f"{100.0 * fraction:.0f} %"
-
-
-def _and(numbers: Sequence[object]) -> str:
-    words = [str(number) for number in numbers]
-    return f"{', '.join(words[:-1])} and {words[-1]}" if len(words) > 1 else words[0]

@@ -4,6 +4,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TypeAlias
 
+import numpy as np
+
 from cotouch.errors import ScenarioError
 from cotouch.files import shipped
 from cotouch.network import Network, Pair
@@ -30,6 +32,24 @@ def five_users() -> Path:
 def names(links: Iterable[Pair]) -> str:
     """Links as "12 14 23", users numbered from 1."""
     return " ".join(f"{user_number(a)}{user_number(b)}" for a, b in links)
+
+
+def listed(numbers: Iterable[object]) -> str:
+    """Several as "1, 3 and 5"."""
+    *words, last = map(str, numbers)
+    return f"{', '.join(words)} and {last}" if words else last
+
+
+def digits(found: float, expected: float, most: int) -> int:
+    """To how many digits two numbers agree.
+
+    Args:
+        found: the one.
+        expected: the other, not 0.
+        most: at most.
+    """
+    gap = abs(found - expected) / abs(expected)
+    return int(np.clip(np.floor(-np.log10(max(gap, 1e-300))), 0, most))
 
 
 def holding(network: Network, *, release: float, duration: float, period: float) -> Scenario:

@@ -7,7 +7,7 @@ import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.network import Network, rightmost_root
-from cotouch.simulation import at_times, settling_time, simulate, summary
+from cotouch.simulation import Summary, at_times, settling_time, simulate, summary
 from cotouch.study._data import free, holding, names
 
 if TYPE_CHECKING:
@@ -90,6 +90,18 @@ def experiment(best: Network, worst: Network, misjudged: Network, *, period: flo
     return Experiment(best=_trial(best, period), worst=_trial(worst, period), misjudged=_trial(misjudged, period))
 
 
+def settling_times(run: "xr.Dataset", held: Summary) -> dict[str, float | None]:
+    """When positions and forces have settled in the hold, and how long after the release the copies agree [s].
+
+    Args:
+        run: of `holding`.
+        held: its summary.
+    """
+    times = held["settling_time_s"]
+    agreement = settling_time(run, start=RELEASE, stop=DURATION)
+    return {"position": times["position"], "force": times["force"], "agreement": agreement}
+
+
 def _trial(network: Network, period: float) -> Trial:
     scenario = holding(network, release=RELEASE, duration=DURATION, period=period)
     run = simulate(scenario)
@@ -98,11 +110,7 @@ def _trial(network: Network, period: float) -> Trial:
     return Trial(
         links=names(network.links),
         run=run,
-        settling={
-            "position": held["settling_time_s"]["position"],
-            "force": held["settling_time_s"]["force"],
-            "agreement": settling_time(run, start=RELEASE, stop=DURATION),
-        },
+        settling=settling_times(run, held),
         force_sum=abs(float(held["hold"]["force_sum"])),
         forces=[float(force) for force in held["hold"]["force"]],
         damping=[float(value) for value in held["local_damping"]],

@@ -9,9 +9,9 @@ from scipy import stats
 from cotouch.arrays import Float
 from cotouch.network import Network
 from cotouch.scenario import Scenario
-from cotouch.simulation import discrepancy, prepare, settling_time, simulate, summary
+from cotouch.simulation import discrepancy, prepare, simulate, summary
 from cotouch.study._data import holding
-from cotouch.study._experiment import DURATION, RELEASE
+from cotouch.study._experiment import DURATION, RELEASE, settling_times
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -178,11 +178,7 @@ def _way(scenario: Scenario) -> ModeRun:
         mode=scenario.synchronisation.mode,
         quantile=scenario.synchronisation.quantile,
         run=run,
-        settling={
-            "position": held["settling_time_s"]["position"],
-            "force": held["settling_time_s"]["force"],
-            "agreement": settling_time(run, start=RELEASE, stop=DURATION),
-        },
+        settling=settling_times(run, held),
         damping=np.asarray(run["local_damping"].values[:, 0], dtype=np.float64),
         pace=float(steps.mean() / scenario.steps.duration),
         late=float(run.attrs["underruns"]) / used,

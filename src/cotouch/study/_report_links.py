@@ -2,13 +2,12 @@
 
 from html import escape
 
-import numpy as np
-
 from cotouch.arrays import Float
 from cotouch.network import Network
 from cotouch.pages import Section, figure, num, quantity, table, verdict
 from cotouch.study import _charts as charts
-from cotouch.study._experiment import PERIOD, RELEASE, Experiment, Trial
+from cotouch.study._data import digits
+from cotouch.study._experiment import PERIOD, RELEASE, Experiment
 from cotouch.study._topologies import LINKS, TIME_UNIT, Topologies
 
 
@@ -134,14 +133,8 @@ the copies agree on a common place. Both happen sooner with the better links.</p
 {results}
 <p>The last two rows check the choice of links against the simulator, which knows nothing of roots: from a free decay
 of the copies, linear prediction reads off the slowest mode. It is the closed loop’s rightmost root to
-{_digits(found.best)} digits with the best links.</p>
+{digits(found.best.measured.real, found.best.predicted.real, 12)} digits with the best links.</p>
 <p>The choice that the printed matrix calls worst, {misjudged.links}, is nothing of the kind: it agrees after
 {quantity(misjudged.settling["agreement"], "s")}. Its first-order model almost echoes (see the
 <a href="#errata">errata</a>); the real copies, with mass and damping, do not.</p>"""
     return Section(anchor="experiment", title="The experiment: hold and let go", body=body)
-
-
-def _digits(trial: Trial) -> int:
-    """Decimal digits to which a simulated rate is the predicted one."""
-    gap = abs(trial.measured.real - trial.predicted.real) / abs(trial.predicted.real)
-    return int(np.clip(np.floor(-np.log10(max(gap, 1e-12))), 0, 12))

@@ -1,13 +1,11 @@
 """The chapters on Theorem 1 and on what happens below its bound."""
 
-from collections.abc import Sequence
 from html import escape
-
-import numpy as np
 
 from cotouch.pages import Section, figure, formula, num, quantity, table, verdict
 from cotouch.study import _charts as charts
 from cotouch.study._bound import Bound
+from cotouch.study._data import digits, listed
 from cotouch.study._theorem import Theorem
 
 
@@ -45,6 +43,7 @@ def proofs(found: Theorem, links: str) -> Section:
         else f"{num(100 * error, 2)} % as they are"
         for factor, error in zip(found.stiffer, found.single, strict=True)
     )
+    agree = digits(found.attack.worked, found.attack.least, 15)
     body = f"""<p>Each claim of the theorem, the three cases after it and its consequences, measured on the links
 {links}. “Item” is where the paper says it.</p>
 {table(["Item", "Claim", "Measured", "Must be", "Verdict"], rows, text=(0, 1, 4))}
@@ -55,18 +54,13 @@ rest the copies answer linearly, so the work of all hands is a quadratic form in
 profile of {found.attack.profiles // len(found.attack.run["user"])} corners one second apart makes a family of
 {found.attack.profiles} dimensions; the smallest eigenvalue of its work is the best that <em>any</em> profile in the
 family can do. It is {quantity(found.attack.least, "J")}, above zero, and playing the profile gives the same work to
-{_agreement(found)} digits. <a href="#bound">Below the bound</a> the same search succeeds.</p>
+{agree} digits. <a href="#bound">Below the bound</a> the same search succeeds.</p>
 <h3>What “perfect synchronisation” asks for</h3>
 <p>That a single user feels <span class="math">K(x − x<sub>d</sub>)</span> holds as far as the other copies follow.
 With K = {found.stiffness:g} N/m, which is as stiff as the links themselves, they follow badly: the force is off by
 {errors}. The error falls in proportion, as it must. What holds for any links is (6): the force is
 <span class="math">K(x̄ − x<sub>d</sub>)</span>, of the <em>average</em> copy.</p>"""
     return Section(anchor="theorem", title="Theorem 1, claim by claim", body=body)
-
-
-def _agreement(found: Theorem) -> int:
-    gap = abs(found.attack.worked - found.attack.least) / abs(found.attack.least)
-    return int(np.clip(np.floor(-np.log10(max(gap, 1e-15))), 0, 15))
 
 
 def edge(found: Bound) -> Section:
@@ -96,7 +90,7 @@ def edge(found: Bound) -> Section:
     cases = {
         "rule": "the rule, nobody holds",
         "alone": f"{100 * found.fractions['alone']:.1f} % of the rule, nobody holds",
-        "held": f"{100 * found.fractions['held']:.1f} % of the rule, users {_list(found.held)} hold still",
+        "held": f"{100 * found.fractions['held']:.1f} % of the rule, users {listed(found.held)} hold still",
         "below": f"{100 * found.fractions['below']:.1f} % of the rule, nobody holds",
     }
     growth = table(
@@ -152,8 +146,3 @@ test is exact.</p>
 {least}
 {attack}"""
     return Section(anchor="bound", title="Below the bound", body=body)
-
-
-def _list(numbers: Sequence[int]) -> str:
-    words = [str(number) for number in numbers]
-    return f"{', '.join(words[:-1])} and {words[-1]}" if len(words) > 1 else words[0]

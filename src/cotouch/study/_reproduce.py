@@ -1,10 +1,6 @@
 """From the example's file to the report."""
 
-import subprocess
-import sys
 import time
-from collections.abc import Callable, Generator
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import final
@@ -13,7 +9,7 @@ from cotouch.files import folder, prepare, write
 from cotouch.interrupt import interruptible
 from cotouch.network import Network
 from cotouch.pages import Section, page
-from cotouch.processes import start_child
+from cotouch.processes import aside
 from cotouch.study import _errata, _scene, _theorem
 from cotouch.study import _report as report
 from cotouch.study import _report_channel as of_channel
@@ -27,7 +23,7 @@ from cotouch.study._data import Progress, five_users
 from cotouch.study._errata import Errata, errata
 from cotouch.study._experiment import PERIOD, Experiment, experiment
 from cotouch.study._modes import Modes, modes
-from cotouch.study._solid import Solid, solid
+from cotouch.study._solid import Solid, solid, warm_up
 from cotouch.study._theorem import Theorem, theorem
 from cotouch.study._topologies import Topologies, topologies
 
@@ -114,7 +110,9 @@ def reproduce(out: Path, *, progress: Progress | None = None, quick: bool = Fals
         if progress is not None:
             progress(done, total, text)
 
-    with _compiled_aside() as compiled:
+    # Another process compiles what only the chapter in three dimensions needs, into the cache that it will read. The
+    # first time that takes a minute, which passes while the chapters before it are worked out; later hardly anything.
+    with aside(warm_up.__module__, warm_up.__name__) as compiling:
         tell(0, "looking at every choice of links")
         links = interruptible(topologies)(Network.read(five_users()))
         best = links.best
@@ -129,7 +127,7 @@ def reproduce(out: Path, *, progress: Progress | None = None, quick: bool = Fals
         tell(5, "certificates")
         proofs = interruptible(certificates)(best, period=period, corners=corners)
         tell(6, "all four blocks, in three dimensions")
-        compiled()
+        compiling.wait()
         whole = interruptible(solid)(best, quick=quick)
     tell(7, "errata")
     slips = interruptible(errata)(links)
@@ -187,27 +185,6 @@ def reproduce(out: Path, *, progress: Progress | None = None, quick: bool = Fals
         confirmed=confirmed,
         seconds=time.perf_counter() - begun,
     )
-
-
-@contextmanager
-def _compiled_aside() -> Generator[Callable[[], object]]:
-    """Has another process compile what only the chapter in three dimensions needs, into the cache that it will read.
-
-    The first time that takes a minute, which passes while the chapters before it are worked out; later hardly anything.
-    Gives a function that waits for it; whatever ends the chapters before, ends it too.
-    """
-    program = "from cotouch.processes import tie_to_parent; tie_to_parent(); from cotouch.study._solid import warm_up; "
-    process = start_child(
-        [sys.executable, "-c", program + "warm_up()"],
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-    )
-    try:
-        yield process.wait
-    finally:
-        process.kill()
-        process.wait()
 
 
 def _write_up(

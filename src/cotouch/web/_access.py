@@ -100,34 +100,6 @@ class Access:
         return found is not None
 
 
-@final
-class Allowance:
-    """So many a second, and so many at once."""
-
-    def __init__(self, rate: float, burst: float) -> None:
-        """Starts full.
-
-        Args:
-            rate: [1/s].
-            burst: at once.
-        """
-        self._rate, self._burst = rate, burst
-        self._left, self._last = burst, 0.0
-
-    def take(self, now: float) -> bool:
-        """Whether one more is all right.
-
-        Args:
-            now: [s].
-        """
-        self._left = min(self._burst, self._left + self._rate * max(now - self._last, 0.0))
-        self._last = now
-        if self._left < 1.0:
-            return False
-        self._left -= 1.0
-        return True
-
-
 def is_loopback(address: str) -> bool:
     """Whether an address, in numbers, leads nowhere but to this machine."""
     return _number(address) is not None and ipaddress.ip_address(_plain(address)).is_loopback

@@ -8,7 +8,7 @@ from typing import Final, final
 
 from starlette.websockets import WebSocket
 
-from cotouch.web._access import Allowance
+from cotouch.samples import Bucket
 from cotouch.web._protocol import FrameReceipt, Hello
 
 IN_FLIGHT: Final = 2  # frames that were sent and not acknowledged
@@ -48,7 +48,7 @@ class Page:
         self.told_why = False
         self.complained = -float("inf")
         self.answering = 0
-        self.binary, self.text = Allowance(_BINARY, _BINARY), Allowance(_TEXT, 2.0 * _TEXT)
+        self.binary, self.text = Bucket(_BINARY, _BINARY), Bucket(_TEXT, 2.0 * _TEXT)
         self._socket = socket
         self._numbers = deque[int]()
         self._frame: tuple[int, bytes] | None = None
