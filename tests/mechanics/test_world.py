@@ -121,6 +121,22 @@ def test_friction_holds_to_a_thousandth_of_its_cone(shape: Plane | Box) -> None:
     block.check_ledger()
 
 
+def test_what_is_pressed_unevenly_holds_as_one_though_what_slides_is_held_less() -> None:
+    """Its upper side is pressed less and slips first, but does not slide before the lower side slips."""
+    block = Standing(cube(), Obstacle(shape=Plane(), stiffness=1e7, loss=1.0, friction=0.5, kinetic=0.25), lift=-1e-4)
+    below, above = np.arctan(0.5 * 0.999), np.arctan(0.5 * 1.001)
+    block.tilt(below, 1500)
+    block.run(200)
+    held = block.position
+    force = block.run(200)
+    assert np.abs(block.position - held).max() <= 1e-6
+    assert -force[0] / force[2] == pytest.approx(0.4995, rel=1e-4)
+    block.tilt(above, 1)
+    block.run(600)
+    assert sliding(block, above) == pytest.approx(0.25, rel=1e-3)
+    block.check_ledger()
+
+
 @pytest.mark.parametrize("friction", [0.0, 0.4])
 def test_what_slides_as_a_whole_is_not_closed_by_what_it_hardly_does_within(friction: float) -> None:
     """Dampers took nearly all motion about the centre; what forces of the ground are off by is much beside that."""

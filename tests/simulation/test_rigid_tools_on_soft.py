@@ -143,6 +143,23 @@ def test_turned_it_is_felt_to_grip_and_then_to_rub() -> None:
     assert run.attrs["energy_residual"] <= 1e-12
 
 
+def test_nothing_passes_though_more_triangles_are_near_than_there_is_room_for() -> None:
+    """A small ball, thrown down at 10 m/s: all triangles of the plate are within reach of all of its points."""
+    ball = {"user": 1, "kind": "sphere", "radius": 0.003, "resolution": 3, "mass": 0.005}
+    hand = {"path": [[0, *[0.0] * 6], [0.018, 0, 0, -0.18, 0, 0, 0]], "stiffness": 3000, "damping": 20}
+    run = simulate(
+        scene(
+            {**hand, "turning_stiffness": 0.5},
+            {**ball, "at": [0.023, 0.021, SIDE + 0.007]},
+            body={**BLOCK, "shape": [5, 5, 2], "stiffness": 800, "damping": 0.5, "ground": "x-"},
+            between={"stiffness": FIRM, "damping": 1.0, "friction": 0.3},
+            steps={"duration": 0.008},
+        )
+    )
+    plate = run["position"].values[0, :, :, 2]
+    assert (run["rigid_position"].values[0, :, 2] > plate.min(axis=1)).all()
+
+
 def test_both_engines_turn_it_alike_and_another_copy_follows() -> None:
     """Ann turns the top by friction; Ben's copy of the block follows, without her plate."""
     path = pressed(0.003, [0.15, 0, 0, -0.003, 0, 0, 0.4])

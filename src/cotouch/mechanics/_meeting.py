@@ -137,6 +137,8 @@ class Meeting(NamedTuple):
             of the nearest triangle, height above its plane, (E + 1, 8).
         face: scratch: that triangle, and whether the nearest point lies within it; then where it ends, (E + 1, 4).
         ended: scratch: as `began`, where the step would end.
+        deepest: scratch: depth of the deepest point of either body in the other where the step begins,
+            (bodies, bodies) [m].
         coefficient: scratch: how much of each row moves a point past its triangle, (rows,).
         moved: scratch: rows for which that is not 0, of those that are solved for at once, (rows,).
         met: result.
@@ -188,6 +190,7 @@ class Meeting(NamedTuple):
     began: Float
     face: Int
     ended: Float
+    deepest: Float
     coefficient: Float
     moved: Int
     met: Met

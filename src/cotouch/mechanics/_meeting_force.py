@@ -114,7 +114,7 @@ def _meet(
         gx, gy, gz = nx - short * mx, ny - short * my, nz - short * mz
     return (nx, ny, nz), pressed(
         k, at(m.loss, pair), at(m.friction, pair), at(m.kinetic, pair), before, after, nx, ny, nz, gx, gy, gz,
-        mx, my, mz, sx, sy, sz, was, T,
+        mx, my, mz, sx, sy, sz, was, at(m.deepest, pair), T,
     )  # fmt: skip
 
 

@@ -121,6 +121,8 @@ def gather(world: World, m: Meeting, memory: Float, x: Float, bound: float) -> N
     bodies, reach, count, used = m.touched.shape[0], 2.0 * m.lever * bound, 0, 0
     for b in range(bodies):
         put(m.touched, b, 0)
+        for other in range(bodies):
+            put(m.deepest, (b, other), 0.0)
         if is_away(m, memory, b):  # an empty box is near nothing
             for a in range(3):
                 put(m.low, (at(m.boxes, b), a), math.inf)
@@ -162,6 +164,9 @@ def gather(world: World, m: Meeting, memory: Float, x: Float, bound: float) -> N
                 put(m.first, (count, 0), used if last >= 0 else -1)
                 put(m.first, (count, 1), max(last, 0))
                 used = max(last, used)
+                if deep > at(m.deepest, (own, b)):
+                    put(m.deepest, (own, b), deep)
+                    put(m.deepest, (b, own), deep)
                 count += 1
     put(m.entries, 0, 1)
     put(m.entries, 1, count)

@@ -317,8 +317,13 @@ def crossing(m: Meeting, e: int, x: float, y: float, z: float, mx: float, my: fl
         mz: likewise.
     """
     enters, leaves, early, late = -1, -1, math.inf, -math.inf
-    for n in range(max(at(m.first, (e, 0)), 0), at(m.first, (e, 1))):
-        f = at(m.near, n)
+    body, p = at(m.other, e), at(m.point, e)
+    noted, own = at(m.first, (e, 0)) >= 0, body == at(m.part, p)
+    first = at(m.first, (e, 0)) if noted else at(m.leaves, body)
+    for n in range(first, at(m.first, (e, 1)) if noted else at(m.leaves, body + 1)):
+        f = at(m.near, n) if noted else n
+        if not noted and (is_hidden(m, f) or (own and _beside(m, p, f))):  # no room to note them: all of the body
+            continue
         i, j, k = at(m.corner, (f, 0)), at(m.corner, (f, 1)), at(m.corner, (f, 2))
         nx, ny, nz = normal(m.place, i, j, k)
         ox, oy, oz = normal(m.later, i, j, k)

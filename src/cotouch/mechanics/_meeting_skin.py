@@ -180,6 +180,7 @@ def meeting_of(
         began=np.zeros((entries + 1, 8)),
         face=np.zeros((entries + 1, 4), dtype=np.int32),
         ended=np.zeros((entries + 1, 8)),
+        deepest=np.zeros((bodies, bodies)),
         coefficient=np.zeros(body.nodes),
         moved=np.zeros(body.nodes, dtype=np.int32),
         met=met_of(bodies),

@@ -11,7 +11,7 @@ from cotouch.mechanics._vector import at
 
 @inner
 def mark_of(other: int, slips: float) -> float:
-    """The fourth number of a stretch: in which body it is, and whether it slips there; 0: there is none."""
+    """The fourth number of a stretch: in which body it is, and how far it has slipped there, up to 1; 0: none."""
     return 2.0 * other + 2.0 + slips
 
 
@@ -23,7 +23,7 @@ def stretched_in(memory: Float, here: int) -> int:
 
 @inner
 def stretch_in(memory: Float, here: int, other: int) -> tuple[float, float, float, float]:
-    """A point's stretch in one of the bodies [m], and whether it slips there."""
+    """A point's stretch in one of the bodies [m], and how far it has slipped there, see `pressed`."""
     if stretched_in(memory, here) != other:
         return 0.0, 0.0, 0.0, 0.0
     slips = at(memory, here + 3) - mark_of(other, 0.0)

@@ -10,8 +10,8 @@ import math
 from cotouch.mechanics._kernel import inner
 
 # Force on the point, energy held, energy lost, what resists motion of a row that is solved for by one number, stretch
-# at the end, whether it slips; what resists motion along the normal, and across it; and the force of friction for each
-# unit of pressure where it slips.
+# at the end, how far it has slipped; what resists motion along the normal, and across it; and the force of friction for
+# each unit of pressure where it slips.
 Pressed = tuple[
     float, float, float, float, float, float, float, float, float, float, float, float, float, float, float
 ]  # fmt: skip
@@ -52,6 +52,7 @@ def pressed(
     sy: float,
     sz: float,
     was: float,
+    deepest: float,
     T: float,
 ) -> Pressed:
     """One point that is in something before or after a step.
@@ -59,8 +60,9 @@ def pressed(
     Args:
         k: of its foundation [N/m].
         loss: λ: pressure grows by 1 + λ times the speed of approach [s/m].
-        friction: Coulomb's coefficient of what does not slip.
-        kinetic: and of what does.
+        friction: Coulomb's coefficient of what holds, and of what has slipped less than the deepest point may be
+            stretched: until that slips as well, what was pressed less slips without sliding.
+        kinetic: and of what has slipped that far.
         before: depth where the step begins, less than 0 outside [m].
         after: and where it ends; one of them is above 0.
         nx: the normal.
@@ -75,7 +77,8 @@ def pressed(
         sx: stretch of friction where the step begins [m].
         sy: likewise.
         sz: likewise.
-        was: whether it slipped, not 0.
+        was: which share of that way it has slipped, up to 1; the farther it is within its cone, the sooner none.
+        deepest: depth of the deepest point where the step begins [m].
         T: length of the step [s].
     """
     grip, held = 0.5 * k, stretched(k, sx, sy, sz)
@@ -105,12 +108,13 @@ def pressed(
     up = mx * nx + my * ny + mz * nz
     tx, ty, tz = sx + mx - up * nx, sy + my - up * ny, sz + mz - up * nz
     trial = math.sqrt(tx * tx + ty * ty + tz * tz)
-    cone = (kinetic if was != 0.0 else friction) * total / grip
-    share, slips = 1.0, 0.0
+    coefficient, way = kinetic if was >= 1.0 else friction, friction * k * deepest / grip
+    cone, share = coefficient * total / grip, 1.0
+    slips = min(max(was + (trial - cone) / way, 0.0), 1.0) if way > 0.0 else 0.0
     cx = cy = cz = 0.0
     if trial > cone:
-        share, slips = kinetic * total / (grip * trial), 1.0
-        cx, cy, cz = -kinetic / trial * tx, -kinetic / trial * ty, -kinetic / trial * tz
+        share = coefficient * total / (grip * trial)
+        cx, cy, cz = -coefficient / trial * tx, -coefficient / trial * ty, -coefficient / trial * tz
     ex, ey, ez = share * tx, share * ty, share * tz
     stored += stretched(k, ex, ey, ez)
     lost += grip * (ex * (tx - ex) + ey * (ty - ey) + ez * (tz - ez))
@@ -120,7 +124,7 @@ def pressed(
     # A dashpot beside what holds, as far as the cone has room.
     slide = math.sqrt(max((mx - up * nx) ** 2 + (my - up * ny) ** 2 + (mz - up * nz) ** 2, 0.0))
     drag = min(0.5 * push * loss * slide / T, max(cone - math.sqrt(ex * ex + ey * ey + ez * ez), 0.0) * grip)
-    if slips == 0.0 and drag > 0.0:
+    if trial <= cone and drag > 0.0:
         across += drag * T / slide
         lost += drag * slide
         fx, fy, fz = (

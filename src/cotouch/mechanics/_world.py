@@ -67,9 +67,10 @@ class World(NamedTuple):
     """Obstacles, and the points of a body's skin that meet them.
 
     Attributes:
-        first: where in a copy's memory the stretches of friction begin: one row of four (the stretch [m], and whether
-            it slips) for each obstacle and point, and each point and other bodies, as the last step left them, then the
-            same as this step would. Of the latter the fourth number also says in which body; see `mark_of`.
+        first: where in a copy's memory the stretches of friction begin: one row of four (the stretch [m], and how far
+            it has slipped, see `pressed`) for each obstacle and point, and each point and other bodies, as the last
+            step left them, then the same as this step would. Of the latter the fourth number also says in which body;
+            see `mark_of`.
         pointer: CSR row pointer of the points, (P + 1,).
         row: rows of the body that carry each point, (entries,).
         share: how much of each, (entries,).
@@ -94,6 +95,7 @@ class World(NamedTuple):
             in those after (S * P,), ((S + 1) * P, 4), or (S * P, 4) of one body [N].
         start: scratch: displacement of each point at the start of the step, and how far it is from all obstacles,
             (P, 4) [m].
+        deepest: scratch: depth of the deepest point in each obstacle at the start of the step, (S,) [m].
         known: scratch: 1 where these are of the step at hand, (1,).
         tried: scratch: velocity of the rows at the last look, (rows, 4) [m/s].
         force: result: mean force of each obstacle on the whole body in the step, solids last, (obstacles, 4) [N].
@@ -132,6 +134,7 @@ class World(NamedTuple):
     couple: Float
     told: Float
     start: Float
+    deepest: Float
     known: Float
     tried: Float
     force: Float

@@ -69,7 +69,7 @@ def _meet(
         gx, gy, gz = nx - short * mx, ny - short * my, nz - short * mz
     return passed, (nx, ny, nz), pressed(
         k, at(world.loss, s), at(world.friction, s), at(world.kinetic, s), before, after, nx, ny, nz, gx, gy, gz,
-        mx, my, mz, sx, sy, sz, at(memory, here + 3), T,
+        mx, my, mz, sx, sy, sz, at(memory, here + 3), at(world.deepest, s), T,
     )  # fmt: skip
 
 
@@ -100,15 +100,20 @@ def take_up(world: World | None, memory: Float, x: Float) -> None:
 
 
 @part
-def _begin(world: World, x: Float) -> None:
-    """Notes where all points start, and how far each is from what it may meet."""
+def _begin(world: World, memory: Float, x: Float) -> None:
+    """Notes where all points start, how far each is from what it may meet, and how deep any is in each obstacle."""
+    for s in range(world.kind.shape[0]):
+        put(world.deepest, s, 0.0)
     for p in range(world.moves):
+        there = at(world.there, p) != 0.0 and not point_away(world.bodies, memory, p)
         ux, uy, uz = _place(world, p, x)
         rx, ry, rz = at(world.rest, (p, 0)) + ux, at(world.rest, (p, 1)) + uy, at(world.rest, (p, 2)) + uz
         clear = math.inf
         for s in range(world.kind.shape[0]):
             deep, _, _, _, _ = depth(at(world.kind, s), world.numbers, s, rx, ry, rz)
             clear = min(clear, -deep)
+            if there and deep > at(world.deepest, s):
+                put(world.deepest, s, deep)
         put(world.start, (p, 0), ux)
         put(world.start, (p, 1), uy)
         put(world.start, (p, 2), uz)
@@ -157,7 +162,7 @@ def press_world(
     clear_pairs(world)
     far *= _SURELY * world.reach
     if world.kind.shape[0] > 0 and at(world.known, 0) == 0.0:
-        _begin(world, x)
+        _begin(world, memory, x)
     for p in range(world.moves if world.kind.shape[0] > 0 else 0):
         if at(world.there, p) == 0.0 or point_away(world.bodies, memory, p):
             continue
@@ -229,7 +234,9 @@ def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: f
     for i in range(world.hold.shape[0]):
         far = max(far, _way(x, ahead, i))
     far *= _SURELY * world.reach
-    sure = at(world.known, 0) != 0.0 and world.offset < 0
+    if world.kind.shape[0] > 0 and at(world.known, 0) == 0.0:
+        _begin(world, memory, x)
+    sure = world.offset < 0
     for p in range(world.moves if world.kind.shape[0] > 0 else 0):
         if at(world.there, p) == 0.0 or point_away(world.bodies, memory, p):
             continue

@@ -131,6 +131,7 @@ def world_of(
         couple=np.zeros((3 * among.size, 3 * among.size)),
         told=np.zeros((count, 4)),
         start=np.zeros((places.shape[0], 4)),
+        deepest=np.zeros(len(shapes)),
         known=np.zeros(1),
         tried=np.zeros((body.nodes, 4)),
         force=np.zeros((len(obstacles), 4)),
