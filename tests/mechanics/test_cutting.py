@@ -13,7 +13,6 @@ from cotouch.body import FACES, Body, body_from_tetrahedra, cut_skin, lattice
 from cotouch.errors import BodyError
 from cotouch.mechanics import (
     BETA,
-    CLOSURE_ALARM,
     CUT,
     CUT_COUNT,
     Cutting,
@@ -134,15 +133,9 @@ def test_what_was_cut_is_whole_again_in_the_matrix_of_another_copy(name: str) ->
 
 
 def test_across_a_cut_force_and_energy_agree() -> None:
-    worst: list[float] = []
-    for looks in (True, False):
-        copy, cutting = cut_copy("cells")
-        if not looks:
-            copy.force = copy.force._replace(cut=-1)
-        take_away(copy, cutting, np.arange(cutting.wanted.size // 3, 2 * cutting.wanted.size // 3))
-        worst.append(max(float(copy.step(2e-3)[BETA]) for _ in range(100)))
-    assert worst[0] < CLOSURE_ALARM
-    assert worst[0] < 0.5 * worst[1]
+    copy, cutting = cut_copy("cells")
+    take_away(copy, cutting, np.arange(cutting.wanted.size // 3, 2 * cutting.wanted.size // 3))
+    assert max(float(copy.step(2e-3)[BETA]) for _ in range(100)) <= 2e-3
 
 
 def test_what_is_stretched_too_far_breaks() -> None:

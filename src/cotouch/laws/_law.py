@@ -80,6 +80,7 @@ class Facts:
         period: longest step of this end [s].
         period_back: of the other end; None: the same [s].
         mass: of a row of the whole body, in the mean, for the identity weight [kg].
+        lightest: likewise of the lightest row; None: `mass` [kg].
         degree: links of this end's copy.
         degree_back: of the copy at the other end.
         tree: whether the links of three copies or more make a tree.
@@ -94,6 +95,7 @@ class Facts:
     period: float = 1e-3
     period_back: float | None = None
     mass: float = 1.0
+    lightest: float | None = None
     degree: int = 1
     degree_back: int = 1
     tree: bool = False

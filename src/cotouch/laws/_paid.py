@@ -83,7 +83,7 @@ from cotouch.laws._paid_fields import (
 )
 from cotouch.laws._paid_guess import believed, check_guess
 from cotouch.laws._paid_hand import book_copy
-from cotouch.laws._paid_heard import Heard, add_wish, between, bring_hand, wish
+from cotouch.laws._paid_heard import Heard, add_wish, at_once, between, bring_hand, wish
 from cotouch.laws._paid_hold import hold_on
 from cotouch.laws._paid_other import bring, credible, past, take_over, tell
 from cotouch.laws._paid_rows import pay, price, push_wave, receive_wave, return_wave
@@ -191,6 +191,7 @@ def _before(end: End) -> None:
             back,
             told[M_K],
             told[M_B],
+            at_once(end),
             told[M_HANDS],
         )
         check_guess(end, when, passed, lag, fresh)
@@ -275,6 +276,10 @@ def _still(facts: Facts) -> float:
     return facts.mass * sqrt(facts.rows) / (facts.degree + 1)  # a force at a node moves some of a soft body
 
 
+def _lightest(facts: Facts) -> float:
+    return facts.mass if facts.lightest is None else facts.lightest
+
+
 def _calm(facts: Facts) -> float:
     return 80.0 * facts.mass
 
@@ -319,12 +324,18 @@ PAID = register(
                 default=_still,
                 tuned=False,
             ),
+            Parameter(
+                name="lightest",
+                meaning="mass of the lightest row, which says how fast a hand elsewhere may be felt [kg]",
+                default=_lightest,
+                tuned=False,
+            ),
         ),
         sends=("U_out", "P", "Q", "w", "v", "way"),
         sends_scalars=("E_out", "k", "b", "epoch", "given", "T", "hands", "as one", "since", "age"),
         keeps=(
             *("U_in", "U_out", "s", "A", "A2", "wish", "w before", "slope", "part w", "stretch"),
-            *("P", "Q", "hand", "done", "first", "second", "part P", "part Q", "alive"),
+            *("P", "Q", "hand", "done", "first", "second", "part P", "part Q", "alive", "grip"),
             *(f"done{k}" for k in range(LOGGED)),
             *("guess", "even guess", "even truth", *(f"guess{k}" for k in range(LOGGED))),
         ),

@@ -10,9 +10,13 @@ from cotouch.laws._helper import helper
 from cotouch.laws._paid_fields import (
     A2,
     ALIVE,
+    GRIP,
     GUESS,
     HAND,
     KEPT,
+    LIGHTEST,
+    M_B,
+    M_K,
     M_P,
     M_Q,
     M_V,
@@ -35,6 +39,11 @@ from cotouch.laws._paid_fields import (
 )
 from cotouch.laws._paid_rows import NOTHING, ONE
 from cotouch.mechanics import FOUR, load, size, splat, store, total, where
+
+# A hand elsewhere resists a copy by where that was and how fast at the step's start, so a row swings up if the hand's
+# spring and damper would more than stop it in a step: ½T (b + ½T k) of more than its mass. What is more than this share
+# of it follows as if it were in step with the row. A share of 1/N of hand and mass is the same.
+_EASY = 0.25
 
 
 class Then(NamedTuple):
@@ -122,6 +131,7 @@ class Heard(NamedTuple):
         back: since when the neighbour's hand is made up, where it is [s].
         k: of the hand [N/m].
         damping: likewise [Ns/m].
+        at_once: share of how both resist this copy that is felt in this step.
         hands: how many.
     """
 
@@ -138,7 +148,20 @@ class Heard(NamedTuple):
     back: float
     k: float
     damping: float
+    at_once: float
     hands: float
+
+
+@helper
+def at_once(end: End) -> float:
+    """Share of how the neighbour's hand resists this copy that it feels in this step; the rest follows.
+
+    Args:
+        end: of the link.
+    """
+    T, told, mass = end.T, end.received_scalars, end.parameters[LIGHTEST]
+    grip = 0.5 * T * (told[M_B] + 0.5 * T * told[M_K])
+    return mass / (mass + max(grip - _EASY * mass, 0.0)) if mass > 0.0 else 1.0
 
 
 @helper
@@ -154,6 +177,7 @@ def _bring_hand(end: End, h: Heard, first: int, last: int, lanes: tuple[int, ...
         memory[PART_P],
         memory[PART_Q],
     )
+    grips = memory[GRIP]
     ahead, shift, back, nothing = h.ahead, h.shift, h.back, splat(0.0, lanes)
     told = 0.0
     for r in range(first, last):
@@ -185,6 +209,9 @@ def _bring_hand(end: End, h: Heard, first: int, last: int, lanes: tuple[int, ...
         else:
             # Where the copy will be in the middle of the step: at its start, k T/2 is lacking of the hand's damping.
             spring = h.k * load(x, r, lanes) + (h.damping + 0.5 * T * h.k) * load(v, r, lanes)
+            if h.at_once < 1.0 and not h.fresh:
+                spring = h.at_once * spring + (1.0 - h.at_once) * load(grips, r, lanes)
+            store(grips, r, spring, lanes)
             hand = hand - where(size(w_now) + size(p), spring, nothing)
         # Since the last step the sums rose by this; since it is another hand, by what a held force would not do.
         if h.taken:

@@ -66,8 +66,13 @@ from cotouch.mechanics._world_force import looks_of, settle_world, take_up
 
 # Sweeps of the rotations from nowhere.
 _MANY = 60
-# What the next look would change, of the motion about the centre of mass, for which it is not taken.
+# What the next look would change, of the end velocity about the centre of mass, for which it is not taken.
 ENOUGH = 2e-4
+# Where it might change more than this, if a look leaves no less than that share, more than the usual number are taken,
+# up to so many: the first finds what the matrix knows well, so the second says too little of what it leaves.
+_LITTLE, _SLOWEST, _MOST = 5e-4, 0.1, 10
+# No more are taken for less than this share of what rounding of places does to the energy of a strained body.
+_ROUNDED = 0.1
 # A step whose end velocity is changed by more than this is told: its forces and its energy disagree.
 CLOSURE_ALARM = 1e-2
 
@@ -116,8 +121,9 @@ def closed_step(
     for i in range(op.mass.shape[0]):
         store(work.mean, i, load(state.velocity, i, lanes), lanes)
     directions, before, alone = looks_ahead(state.memory, force.directions, force.cut), 0.0, force.parts is None
-    known = False
-    for number in range(looks_of(force.world, directions, work.dense.shape[0] > 0)):
+    known, number, looks = False, 0, looks_of(force.world, directions, work.dense.shape[0] > 0)
+    rough = _ROUNDED * op.firmness * (force.grain + 2.0 * math.sqrt(2.0 * force.grain * abs(state.memory[ENERGY])))
+    while number < looks:
         known = predict(op, force, state, T, False, work, lanes) and number >= directions
         if known:
             break
@@ -136,11 +142,17 @@ def closed_step(
             cap,
             lanes,
         )
+        number += 1
         # Each look leaves about that share of the last one's change by which that was smaller than the one before.
-        if number > 0 and alone and change * change <= before * moving * ENOUGH * ENOUGH:
-            directions = min(directions, number + 1)
+        left = change * max(change, _SLOWEST * _SLOWEST * before) * moving
+        little = left <= before * max(_LITTLE * _LITTLE * moving * moving, rough * rough)
+        if number > 1 and alone and little and change * change <= before * moving * ENOUGH * ENOUGH:
+            directions = min(directions, number)
             if force.world is None:
                 break
+        elif alone and not little and directions <= number < _MOST and change < before:
+            directions = number + 1
+            looks = max(looks, directions)
         before = change
     level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, known, work, lanes)
     attempt, length, least, greatest, refused = 0, 1.0, 0.0, math.inf, False

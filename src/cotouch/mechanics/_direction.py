@@ -56,13 +56,14 @@ def direct(
     a single body so is their angular momentum.
 
     Returns:
-        Squares of the correction, and of v̂ about the centre of mass, in the norm of M; or nothing that says anything.
+        Squares of the correction, and of the end velocity about the centre of mass, in the norm of M: it is of this
+        that the closure takes. Of what no matrix couples, 1 and 0, which say nothing.
     """
     ask(op, force, state, links, ports, local_damping, extra_damping, T, work, lanes)
     if op.entries.shape[0] == 0:
         ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, 0, cap, lanes)
         return 1.0, 0.0
-    return _corrected(op, force, ports, T, 0.0, True, work, ledger, tolerance, cap, lanes)
+    return _corrected(op, force, state, ports, T, 0.0, True, work, ledger, tolerance, cap, lanes)
 
 
 @part
@@ -94,6 +95,7 @@ def ask(
 def correct(
     op: Operator,
     force: BodyForce,
+    state: State,
     ports: Ports,
     T: float,
     stiffer: float,
@@ -108,13 +110,14 @@ def correct(
     Returns:
         See `direct`.
     """
-    return _corrected(op, force, ports, T, stiffer, False, work, ledger, tolerance, cap, lanes)
+    return _corrected(op, force, state, ports, T, stiffer, False, work, ledger, tolerance, cap, lanes)
 
 
 @part
 def _corrected(
     op: Operator,
     force: BodyForce,
+    state: State,
     ports: Ports,
     T: float,
     stiffer: float,
@@ -148,8 +151,9 @@ def _corrected(
         rate = load(work.pull, i, lanes) + more
         store(work.mean, i, rate, lanes)
         change = change + m * (more * more)
-        moving = moving + m * (rate * rate)
-        momentum = momentum + m * rate
+        end = 2.0 * rate - load(state.velocity, i, lanes)
+        moving = moving + m * (end * end)
+        momentum = momentum + m * end
         mass += m
     return total(change) + turned, total(moving) - total(momentum * momentum) / mass
 

@@ -96,7 +96,7 @@ def search(
             found = True
             break
         _combine(force.parts, work, lanes)
-        correct(op, force, ports, T, at(numbers, _STIFF) - 1.0, work, ledger, tolerance, cap, lanes)
+        correct(op, force, state, ports, T, at(numbers, _STIFF) - 1.0, work, ledger, tolerance, cap, lanes)
     level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, False, work, lanes)
     return found
 

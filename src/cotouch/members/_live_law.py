@@ -26,6 +26,7 @@ class LiveLaw:
         law: of all links.
         session: whose file says the rest.
         mass: of a row of the whole body, in the mean [kg].
+        lightest: likewise of the lightest row [kg].
         rows: of the body's model.
         size: rows and axes of a state, multiplied.
     """
@@ -33,6 +34,7 @@ class LiveLaw:
     law: Law
     session: SessionFile
     mass: float
+    lightest: float
     rows: int
     size: int
 
@@ -49,8 +51,9 @@ class LiveLaw:
         if name == "spring":
             return None
         known = operator.weight[0] > 0.0  # links do not know of tools
-        mass = float((operator.mass[known] / operator.weight[0, known]).mean())
-        return cls(law=law_named(name), session=session, mass=mass, rows=int(known.sum()), size=size)
+        masses = operator.mass[known] / operator.weight[0, known]
+        mass, lightest, rows = float(masses.mean()), float(masses.min()), int(known.sum())
+        return cls(law=law_named(name), session=session, mass=mass, lightest=lightest, rows=rows, size=size)
 
     def memory(self) -> CopyMemory:
         """For all links of one copy."""
@@ -76,6 +79,7 @@ class LiveLaw:
             spread=_SPREAD,
             period=longest,
             mass=self.mass,
+            lightest=self.lightest,
             degree=most,
             degree_back=most,
             tree=tree,

@@ -73,6 +73,7 @@ def facts_of(scenario: Scenario, ready: Model, timing: Schedule, weight: Int) ->
     result: list[Facts] = []
     for s, (i, j) in enumerate(pairs):
         known = operator.weight[weight[s]] > 0.0  # links do not know of tools
+        masses = operator.mass[known] / operator.weight[weight[s], known]
         both = [heard for heard in (ages[i, j], ages[j, i]) if heard.size]
         result.append(
             Facts(
@@ -83,7 +84,8 @@ def facts_of(scenario: Scenario, ready: Model, timing: Schedule, weight: Int) ->
                 spread=max((float(np.ptp(heard)) for heard in both), default=0.0),
                 period=float(longest[i]),
                 period_back=float(longest[j]),
-                mass=float((operator.mass[known] / operator.weight[weight[s], known]).mean()),
+                mass=float(masses.mean()),
+                lightest=float(masses.min()),
                 degree=int(slots.first[i + 1] - slots.first[i]),
                 degree_back=int(slots.first[j + 1] - slots.first[j]),
                 tree=tree,
