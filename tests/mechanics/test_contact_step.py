@@ -6,7 +6,6 @@ from tests.mechanics.pressing import SPACING, Pressed, block, plate
 
 from cotouch.body import lattice
 from cotouch.mechanics import AWAY, GRASP, TOUCH, TOUCH_LOSS, Surface, relief_on
-from cotouch.mechanics._contact_catch import catch
 
 TOP = 2 * SPACING
 
@@ -281,24 +280,6 @@ def windings(copy: Pressed) -> float:
     volume = (a * np.cross(b, c)).sum(axis=1)
     beside = x * y * z + (a * b).sum(axis=1) * z + (b * c).sum(axis=1) * x + (c * a).sum(axis=1) * y
     return float(np.arctan2(volume, beside).sum() / (2.0 * np.pi))
-
-
-def test_what_holds_a_tool_back_yields_at_least_as_the_tool_does() -> None:
-    """A gap that hardly follows the push, as the body is guessed to be elsewhere, asks for no 1e12 N."""
-    copy, T = above(0.02), 0.02
-    copy.step(1e-3)
-    work, wanted = copy.contact.work, 1e-3
-    work.caught[0, :5], work.caught[0, 5], work.inertia[0] = [1.0, 0.0, -1.0, 0.0, 0.0], wanted, 5.0
-    work.aside[0, :3], work.mean[0, :3] = [0.0, 0.0, 1.0], [0.0, 0.0, -6.0]
-    pushes, gaps = [0.0], []
-    for _ in range(4):
-        assert not catch.py_func(copy.surface, work, copy.tools, 0, T)
-        pushes.append(work.caught[0, 4])
-        gaps.append(work.caught[0, 3])
-        work.mean[0, 2] += 1e-9
-    assert gaps[0] < 0.0 < pushes[1]
-    more = np.diff(pushes)
-    assert more == pytest.approx((wanted - np.array(gaps)) * work.inertia[0] / T)
 
 
 def test_a_stylus_pushes_with_its_tip_and_lies_on_its_side() -> None:

@@ -122,7 +122,7 @@ def judge(
         square, _ = square_of(weighed, False)
         return weighed[TARGET] - weighed[HAVE], square, weighed[PASSED] != 0.0, False
     join_met(force.world, force.parts)
-    _hold_groups(force.parts)
+    hold_groups(force.parts)
     _share_out(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, push, spare, work, lanes)
     good, _ = decide(force.parts, weighed, attempt, True)
     held, lacks, square, passed = held_together(force.parts)
@@ -145,11 +145,11 @@ def hold_parts(parts: Parts | None, mark: Int) -> None:
         for i in range(mark.shape[0]):
             if at(mark, i) > 0:
                 put(parts.held, at(parts.part, i), 1)
-        _hold_groups(parts)
+        hold_groups(parts)
 
 
 @part
-def _hold_groups(parts: Parts | None) -> None:
+def hold_groups(parts: Parts | None) -> None:
     """What touches a body that is held is held as well."""
     if parts is None:
         return

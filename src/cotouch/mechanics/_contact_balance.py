@@ -10,12 +10,14 @@ from typing import Any
 
 from cotouch.arrays import Float
 from cotouch.mechanics._balance import (
+    ABOUT,
     FIXED,
     HAVE,
     LAST_ATTEMPT,
     LEAST,
     MOST,
     NOISE,
+    RIGID,
     ROUGH,
     TARGET,
     go_back,
@@ -34,9 +36,11 @@ from cotouch.mechanics._balance_length import (
     stretch,
 )
 from cotouch.mechanics._balance_parts import close_all, judge
+from cotouch.mechanics._contact_catch import room
+from cotouch.mechanics._contact_centre import go_about, is_free, join_crossed
 from cotouch.mechanics._contact_press import press_tool, rub
 from cotouch.mechanics._contact_snap import draw_tool
-from cotouch.mechanics._contact_sweep import first_crossing
+from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._direction_groups import level_groups
 from cotouch.mechanics._force import BodyForce
@@ -59,6 +63,8 @@ _LEFT = 1e-6
 # the rounding of the scale first and by half at last.
 _TRIES = 12
 _HALVES = 60
+# The same about a common centre, and by which share at first.
+_PARTS, _SHARE = 24, 1e-4
 # A tool that would pass the skin goes so much of the way to it.
 _SHORT = 0.9
 
@@ -133,7 +139,9 @@ def balanced(
     for t in range(tools.mode.shape[0]):
         held_back = held_back or touch.caught[t, 0] != 0.0
         if tools.mode[t] == TOUCH and tools.inside[t] == 0:
-            most = min(most, _SHORT * first_crossing(surface, touch, tools, t, T))
+            first = first_crossing(surface, touch, tools, t, T)
+            if first < NEVER:
+                most = min(most, _SHORT * first, room(surface, touch, tools, t) * first)
         for a in range(3):
             inflow += abs(touch.mean[t, a] * touch.drive[t, a])
             slope -= T * touch.inertia[t] * touch.mean[t, a] * touch.mean[t, a]
@@ -145,19 +153,46 @@ def balanced(
         start_attempts(force.parts)
         free_groups(force.parts)
         ask_length(work, lanes)
-        work.weighed[FIXED] = 1.0
     least, greatest = (1.0 - _EASY, 1.0 + _EASY) if touches else (LEAST, MOST)
-    held_back = held_back or most < 1.0
-    seeks, still, rounded, hardly, told = not (held_back or astray), False, True, False, False
+    held_back = held_back or astray or most < 1.0
+    central = held_back or is_free(op, force, links, ports, tools, touch, T, work, lanes)
+    work.weighed[FIXED] = 1.0
+    seeks, still, rounded, hardly, told = not held_back, False, True, False, False
     scale, have, last, last_over, tries, halves, shrinks = most, 1.0, 0.0, 0.0, 0, 0, _ROUNDING
-    shorter = 0
+    shorter, crossed, most_halves = 0, False, _PARTS if central else _HALVES
+    if central:
+        shrinks = _SHARE
+        join_crossed(surface, tools, touch, force, T)
     pushed = touch.push[: op.mass.shape[0] if look else 0]
     while True:
-        over, noise, lost = _over(law, surface, touch, tools, T, free, contact, inflow, force is None, scale)
+        if central:
+            contact = go_about(
+                op,
+                force,
+                state,
+                links,
+                ports,
+                surface,
+                tools,
+                local_damping,
+                extra_damping,
+                T,
+                scale / have if scale > 0.0 else 0.0,
+                halves > most_halves,
+                work,
+                touch,
+                lanes,
+            )
+            have = scale
+        goes = 1.0 if central else scale  # of the way that is there
+        over, noise, lost = _over(law, surface, touch, tools, T, free, contact, inflow, force is None, goes)
         if force is None:
             fine = not look or -noise <= over <= max(noise, spare)
         else:
-            stretch(force.parts, work.mean, scale / have if scale > 0.0 else 0.0, lanes)
+            if central:
+                keep_place(state, work, lanes)  # looks went elsewhere
+            else:
+                stretch(force.parts, work.mean, scale / have if scale > 0.0 else 0.0, lanes)
             have, touch_ledger[TOUCHED] = scale, over
             ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
             move(op, state, links, T, sample, work, link_work, lanes)
@@ -186,7 +221,9 @@ def balanced(
             over, noise = op.copy_scale * over, op.copy_scale * weighed[NOISE]
             rounded = abs(over) <= op.copy_scale * max(weighed[NOISE], weighed[ROUGH])
             hardly = weighed[HAVE] <= weighed[ROUGH]  # by the rounding of places, which tells nothing of forces
-            fine = abs(over) <= noise or (least <= square <= greatest and (seeks or over < 0.0))
+            # Who moves as a whole alone could make up for something only by that.
+            whole = central and weighed[ABOUT] <= RIGID * weighed[HAVE]
+            fine = abs(over) <= noise or (least <= square <= greatest and (seeks or over < 0.0) and not whole)
             fine = fine or (rounded and square >= 0.0)  # forces and energy do not disagree
             fine = fine and not passed
             seeks = seeks and not passed
@@ -205,13 +242,18 @@ def balanced(
                 keep_place(state, work, lanes)  # looks went elsewhere
                 shorter += 1
                 continue
-            if not (fine or passed or touches or still) and resting(weighed):  # the body stays, and its tools go on
+            if not (fine or passed or touches or still or central) and resting(
+                weighed
+            ):  # the body stays, and its tools go on
                 still = True
                 go_back(force, state, work, lanes)
                 for i in range(work.mean.shape[0]):
                     store(work.mean, i, splat(0.0, lanes), lanes)
                 continue
-        if fine and not (scale > 1.0 and _passes(surface, touch, tools, scale * T)):
+        if central:
+            crossed = join_crossed(surface, tools, touch, force, T)
+            fine = fine and not crossed
+        if fine and not (goes > 1.0 and _passes(surface, touch, tools, scale * T)):
             break
         begins_anew = False
         if seeks:
@@ -220,23 +262,23 @@ def balanced(
             tries, last, last_over = tries + 1, scale, over
             following = min(max(scale - (over - aim) / slope, LEAST), MOST) if slope < 0.0 else scale
             seeks = not fine and tries <= _TRIES and following != scale
-            begins_anew = not seeks and scale != 1.0 and (fine or (over > 0.0 and scale == MOST))
+            begins_anew = not seeks and scale != 1.0 and (fine or crossed or (over > 0.0 and scale == MOST))
             scale = following if seeks else 1.0 if begins_anew else scale
         if not (seeks or begins_anew):
-            if not (over < -noise or passed) or halves == _HALVES:
+            if not (over < -noise or passed or crossed) or halves >= (most_halves + 1 if central else most_halves):
                 break
             halves, told = halves + 1, told or not (rounded or hardly)
             shrinks = min(16.0 * shrinks, 0.5)
-            scale = (1.0 - shrinks) * scale if halves < _HALVES else 0.0
+            scale = (1.0 - shrinks) * scale if halves < most_halves else 0.0
         if force is not None:
             go_back(force, state, work, lanes)
     if fine and force is None and over > noise and _leave(touch, tools, over):
         over = 0.0
     touch_ledger[TOUCH_LOSS] += lost + over if over > noise and (force is None or not fine) else lost
     if force is None:
-        for i in range(work.mean.shape[0] if scale != 1.0 else 0):
-            store(work.mean, i, scale * load(work.mean, i, lanes), lanes)
-        touch_ledger[TOUCHED] = T * scale * (scale * contact - (1.0 - scale) * free)
+        for i in range(work.mean.shape[0] if goes != 1.0 else 0):
+            store(work.mean, i, goes * load(work.mean, i, lanes), lanes)
+        touch_ledger[TOUCHED] = T * goes * (goes * contact - (1.0 - goes) * free)
         ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
         move(op, state, links, T, sample, work, link_work, lanes)
         book_energies(op, state, local_damping, extra_damping, T, work, ledger, lanes)
@@ -265,7 +307,8 @@ def balanced(
             ledger[SHORTENED] = 1.0
         elif shorter > 0:
             ledger[SHORTENED] = max(1.0 - shortest(force.parts, 1.0), ledger[SHORTENED])
-    return scale
+    touch.goal[0] = scale if held_back else 1.0
+    return goes
 
 
 @part

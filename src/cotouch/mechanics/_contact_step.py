@@ -13,6 +13,7 @@ from cotouch.mechanics._absent import hide_away
 from cotouch.mechanics._balance_parts import hold_parts
 from cotouch.mechanics._contact_balance import balanced, dot_rows
 from cotouch.mechanics._contact_catch import begin_catch, catch
+from cotouch.mechanics._contact_centre import JAMMED, lose_motion
 from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_rows, tell
 from cotouch.mechanics._contact_press import feel_tool, press_tool
 from cotouch.mechanics._contact_settled import changed, settled
@@ -118,7 +119,7 @@ def contact_step(
         before, change = change, 0.0
         for t in range(tools.mode.shape[0]):
             if look and (tools.mode[t] == GRASP or (tools.mode[t] == TOUCH and tools.inside[t] == 0)):
-                change = max(change, _look(law, surface, touch, tools, t, T, state, guess, work.diagonal, lanes))
+                change = max(change, _look(law, op, surface, touch, tools, t, T, state, guess, work.diagonal, lanes))
         if number >= looks:
             enough = settled(op, force, state, guess, touch, tools, T, change, near, lanes)
             if change <= enough:
@@ -188,6 +189,11 @@ def contact_step(
         lanes,
     )
     _settle(touch, tools, T, sigma, touch_ledger)
+    if touch.goal[0] < JAMMED:
+        if force is None:
+            lose_motion(op, state, tools, None, touch, ledger, touch_ledger, lanes)
+        else:
+            lose_motion(op, state, tools, force.parts, touch, ledger, touch_ledger, lanes)
 
 
 @part
@@ -197,7 +203,7 @@ def _drive(tools: Tools, touch: ContactWork, T: float) -> None:
         if tools.mode[t] != BLADE:
             tools.drag[t] = owed_drag(tools, t)
         touch.inertia[t] = proxy_inertia(tools, t, T)
-        touch.caught[t, 0], touch.grip[t, 0], touch.grip[t, 1] = 0.0, 0.0, 0.0
+        touch.caught[t, 0], touch.caught[t, 4], touch.grip[t, 0], touch.grip[t, 1] = 0.0, 0.0, 0.0, 0.0
         touch.stored[t], touch.well[t], touch.total[t], touch.way[t, 3] = 0.0, 0.0, 0.0, 0.0
         touch.slips[t] = 0
         for a in range(3):
@@ -312,6 +318,7 @@ def _follow(
 @part
 def _look(
     law: Any,
+    op: Operator,
     surface: Surface,
     touch: ContactWork,
     tools: Tools,
@@ -330,7 +337,7 @@ def _look(
         return changed(touch, t)
     _follow(surface, touch, tools, t, T, state, mean, lanes)
     if touch.caught[t, 0] == 0.0 and first_crossing(surface, touch, tools, t, T) < NEVER:
-        begin_catch(surface, touch, tools, t)
+        begin_catch(op, surface, touch, tools, t, T)
     if touch.caught[t, 0] != 0.0:
         settled = catch(surface, touch, tools, t, T)
         load_rows(surface, touch, t, diagonal)

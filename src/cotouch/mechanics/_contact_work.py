@@ -11,6 +11,8 @@ from cotouch.mechanics._tools import MOST_HELD
 from cotouch.passing import by_address
 
 _STACK = 64
+# How nearly all nodes of a body must go alike that goes as a whole.
+_WHOLE = 1e-9
 
 
 @by_address
@@ -48,7 +50,7 @@ class ContactWork(NamedTuple):
         along: scratch of a correction, 0 outside of it, (rows, width).
         quick: a bound on the speed of every vertex by the present guess, (1,) [m/s].
         goal: what corrections of this step may leave of work, negative before the first [W]; how much of the last was
-            made, and what it missed, (3,).
+            made, and what it missed; at the end how much of its way a step went, where it was held back, (3,).
         own: diagonal of the body's system without contacts, while touched rows have more, (rows,) [Ns/m].
         asked: its right-hand side likewise, (rows, width) [N].
         found: where the last look led, (rows, width) [m/s]; of a modal body what the last look pushed with [N].
@@ -67,15 +69,18 @@ class ContactWork(NamedTuple):
         skin: how fast the skin moves under the tools, on the mean over their pressure, (tools, 4) [m/s].
         held: of the springs of a grasp: squares of their stretches at the start [m²], these times how fast they grow
             [m²/s], and squares of that [m²/s²], (tools, 3).
-        caught: of a tool that would pass the skin: 1, the triangle, the push a look before and the gap that it led to,
-            the push, the gap wanted, the shares of the corners, and the ball's place on the axis, (tools, 10).
-        aside: unit vector that a caught tool is held along, (tools, 4).
+        caught: of a tool that would pass the skin: by what it is held, the triangle, whether a look before held it,
+            how far a push moves both at most [m/N], whether it goes with what it touches, the gap wanted, the shares of
+            the corners, the ball's place on the axis, and the most that it is pushed with [N], (tools, 11).
+        aside: unit vector that a caught tool is held along, where it lacked to be a look before [m], and the push then
+            [N], (3 tools, 4).
         rubbed: stretch of friction at the end, (tools, 4) [m].
         slips: whether it slips then, (tools,).
         stored: energy in contact and friction, or in a grasp, then, and what draws the tool, (tools,) [J].
         well: energy in what draws it, by the last look or then; 0: nothing does, (tools,) [J].
         slow: whether a tool and the skin go so little in a step that their mean force is that in the middle, (tools,).
         seen: how far each tool looked around, (tools,) [m].
+        whole: the rows of a body that moves as a whole along each axis, 0 where they cannot, (3, rows, width).
     """
 
     fit: Fit
@@ -132,6 +137,7 @@ class ContactWork(NamedTuple):
     well: Float
     slow: Int
     seen: Float
+    whole: Float
 
 
 @by_address
@@ -206,13 +212,22 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         grip=np.zeros((tools, 2)),
         skin=row(),
         held=np.zeros((tools, 3)),
-        caught=np.zeros((tools, 10)),
-        aside=row(),
+        caught=np.zeros((tools, 11)),
+        aside=np.zeros((3 * tools, 4)),
         rubbed=row(),
         slips=np.zeros(tools, dtype=np.int32),
         stored=np.zeros(tools),
         well=np.zeros(tools),
         slow=np.zeros(tools, dtype=np.int32),
         seen=np.zeros(tools),
+        whole=np.array([_whole(model, axis) for axis in range(3)]),
     )
     return Contact(law, work)
+
+
+def _whole(model: Model, axis: int) -> Float:
+    """The rows of a body that moves along an axis as a whole; 0 where the shapes of a truncated body lack that."""
+    field = np.zeros((model.body.nodes, model.body.dimension))
+    field[:, axis : axis + 1] = 1.0
+    rows = model.to_rows(field)
+    return rows if np.allclose(model.to_nodes(rows), field, atol=_WHOLE) else np.zeros_like(rows)

@@ -87,7 +87,7 @@ def ask(
     lean_world(force.world, op.copy_scale * op.firmness, work.mean, work, lanes)
     if op.entries.shape[0] > 0:
         lack(op, T, work, lanes)
-        lack_ports(op, ports, work)
+        lack_ports(ports, work, work.rhs)
         hold_ports(op, ports, work)
 
 

@@ -66,17 +66,16 @@ def lack(op: Operator, T: float, work: Workspace, lanes: tuple[int, ...]) -> Non
 
 
 @part
-def lack_ports(op: Operator, ports: Ports, work: Workspace) -> None:
-    """Takes off the right-hand side what ports that hold many rows resist v̂."""
-    if ports.shape.shape[0] > 0:
-        for p in range(ports.row.shape[0]):
-            for a in range(3):
-                goes = 0.0
-                for i in range(op.mass.shape[0]):
-                    goes += at(ports.shape, (p, i)) * at(work.mean, (i, a))
-                goes *= at(work.port_gain, p)
-                for i in range(op.mass.shape[0]):
-                    put(work.rhs, (i, a), at(work.rhs, (i, a)) - at(ports.shape, (p, i)) * goes)
+def lack_ports(ports: Ports, work: Workspace, rhs: Float) -> None:
+    """Takes off a right-hand side what ports that hold many rows resist v̂."""
+    for p in range(ports.shape.shape[0]):
+        for a in range(rhs.shape[1]):
+            goes = 0.0
+            for i in range(rhs.shape[0]):
+                goes += at(ports.shape, (p, i)) * at(work.mean, (i, a))
+            goes *= at(work.port_gain, p)
+            for i in range(rhs.shape[0]):
+                put(rhs, (i, a), at(rhs, (i, a)) - at(ports.shape, (p, i)) * goes)
 
 
 @part
