@@ -34,7 +34,8 @@ from cotouch.mechanics._balance_length import (
     stretch,
 )
 from cotouch.mechanics._balance_parts import close_all, judge
-from cotouch.mechanics._contact_press import press_tool, rub
+from cotouch.mechanics._contact_outside import soften
+from cotouch.mechanics._contact_press import press_tool, pressing, rub, unsure
 from cotouch.mechanics._contact_snap import draw_tool
 from cotouch.mechanics._contact_sweep import first_crossing
 from cotouch.mechanics._contact_work import ContactWork
@@ -150,10 +151,22 @@ def balanced(
     held_back = held_back or most < 1.0
     seeks, still, rounded, hardly, told = not (held_back or astray), False, True, False, False
     scale, have, last, last_over, tries, halves, shrinks = most, 1.0, 0.0, 0.0, 0, 0, _ROUNDING
-    shorter = 0
+    shorter, foretells = 0, False
     pushed = touch.push[: op.mass.shape[0] if look else 0]
     while True:
-        over, noise, lost = _over(law, surface, touch, tools, T, free, contact, inflow, force is None, scale)
+        over, noise, lost = _over(
+            law,
+            surface,
+            touch,
+            tools,
+            T,
+            free,
+            contact,
+            inflow,
+            force is None,
+            scale,
+            scale - last if foretells else 0.0,
+        )
         if force is None:
             fine = not look or -noise <= over <= max(noise, spare)
         else:
@@ -214,12 +227,17 @@ def balanced(
         if fine and not (scale > 1.0 and _passes(surface, touch, tools, scale * T)):
             break
         begins_anew = False
+        if foretells:  # not as it was thought to be
+            foretells = False
+            continue
         if seeks:
             if tries > 0:
                 slope = (over - last_over) / (scale - last)
             tries, last, last_over = tries + 1, scale, over
             following = min(max(scale - (over - aim) / slope, LEAST), MOST) if slope < 0.0 else scale
             seeks = not fine and tries <= _TRIES and following != scale
+            if seeks and tries == 1:
+                foretells = aim > 0.0 and abs(following - scale) * unsure(touch, tools, T) <= 0.5 * aim
             begins_anew = not seeks and scale != 1.0 and (fine or (over > 0.0 and scale == MOST))
             scale = following if seeks else 1.0 if begins_anew else scale
         if not (seeks or begins_anew):
@@ -228,6 +246,9 @@ def balanced(
             halves, told = halves + 1, told or not (rounded or hardly)
             shrinks = min(16.0 * shrinks, 0.5)
             scale = (1.0 - shrinks) * scale if halves < _HALVES else 0.0
+            for t in range(tools.mode.shape[0] if force is None and halves == _HALVES else 0):
+                if tools.mode[t] == TOUCH and tools.inside[t] == 0:
+                    soften(law, surface, touch, tools, t)
         if force is not None:
             go_back(force, state, work, lanes)
     if fine and force is None and over > noise and _leave(touch, tools, over):
@@ -330,8 +351,12 @@ def _over(
     inflow: float,
     body: bool,
     scale: float,
+    beyond: float,
 ) -> tuple[float, float, float]:
-    """What a scaled motion leaves over, of tools and, if so, a linear body; its rounding; what the tools lose [J]."""
+    """What a scaled motion leaves over, of tools and, if so, a linear body; its rounding; what the tools lose [J].
+
+    So far `beyond` the scale that the energy of pressure was last worked out at, it is foretold; 0: it is worked out.
+    """
     over = T * scale * ((1.0 - scale) * free - scale * contact) if body else 0.0
     lost, stored = 0.0, 0.0
     for t in range(tools.mode.shape[0]):
@@ -341,7 +366,9 @@ def _over(
             stored += 0.0 if body else T * touch.inertia[t] * rate * rate
         gone, size = 0.0, 0.0
         if tools.mode[t] == TOUCH and tools.inside[t] == 0:
-            touch.stored[t] = press_tool(law, surface, touch, tools, t, scale * T, 0.0)
+            if beyond == 0.0:
+                touch.pressed[t, 1] = press_tool(law, surface, touch, tools, t, scale * T, 0.0, True)
+            touch.stored[t] = touch.pressed[t, 1] - beyond * T * pressing(touch, t)
             rubbed, gone, _ = rub(touch, tools, t, scale * T, T)
             if tools.snaps[t] != 0:
                 touch.well[t], size = draw_tool(surface, touch, tools, t, scale * T, 0.0)
