@@ -5,7 +5,7 @@ import pytest
 from tests.mechanics.pressing import SPACING, Pressed, block, plate
 
 from cotouch.body import lattice
-from cotouch.mechanics import AWAY, GRASP, TOUCH, TOUCH_LOSS, Surface, relief_on
+from cotouch.mechanics import AWAY, GRASP, TOUCH, TOUCH_LOSS, Stiffening, Surface, press_skin, relief_on
 
 TOP = 2 * SPACING
 
@@ -165,6 +165,56 @@ def test_without_drive_energy_only_falls() -> None:
         copy.step(2e-3)
         assert copy.energy <= before * (1.0 + 1e-14)
         before = copy.energy
+
+
+def pressed_in() -> Pressed:
+    """The tool of `above` after a hand has pressed it in slowly."""
+    copy = above(0.0101)
+    place = [0.025, 0.031, TOP + 0.005]
+    copy.lead([0.025, 0.031, TOP + 0.0101], place)
+    copy.step(0.01)
+    for _ in range(300):
+        copy.lead(place, place)
+        copy.step(1e-3)
+    return copy
+
+
+def test_a_contact_holds_what_its_state_says_and_hardly_more() -> None:
+    """What is stored is the energy of the state and what one step leaves the next, whether worked out or foretold."""
+    copy, place, foretold, rng = pressed_in(), np.array([0.025, 0.031, TOP + 0.005]), 0, np.random.default_rng(0)
+    skin, work = copy.surface, copy.contact.work
+    for n in range(300):  # it slides, and then trembles and lets go
+        goal = place + np.array([0.01 * np.sin(0.03 * n), 0.003 * np.cos(0.05 * n), 0.0])
+        if n >= 150:
+            goal += 1e-3 * rng.normal(size=3) + np.array([0.0, 0.0, 0.006 * np.sin(0.1 * n)])
+        copy.lead(copy.tools.drive_end[0, :3], goal)
+        copy.step(1e-3)
+        at = copy.tools.place[0, :3]
+        own = press_skin(
+            Stiffening(), copy.skin_place(), skin.corner, at, stiffness=1000.0, radius=0.01, area=skin.area
+        )
+        left = copy.tools.stored[0] - own[0]
+        moved = 1e-3 * float(np.abs(copy.contact.work.mean[0, :3] * work.pull[0, :3]).sum())
+        assert -1e-13 * own[0] <= left <= 1e-6 * moved + 1e-13 * own[0]
+        foretold += int(abs(work.pressed[0, 1] - own[0]) > 1e-12 * own[0])
+    assert foretold > 20
+    assert copy.residual <= 1e-14 * copy.in_play
+
+
+@pytest.mark.parametrize(("drop", "speed"), [(1e-4, 0.0), (2e-3, 0.0), (1e-4, 0.2)])
+def test_a_tool_that_is_put_deeper_gets_no_energy(drop: float, speed: float) -> None:
+    """By something else than its motion, at rest or not: the contact holds what it held, until it lets go."""
+    copy = pressed_in()
+    held, force = float(copy.tools.stored[0]), copy.force[2]
+    copy.tools.rate[0, 0] = speed
+    copy.begin()
+    copy.tools.place[0, 2] -= drop
+    copy.lead(copy.tools.place[0, :3], copy.tools.place[0, :3])
+    copy.step(1e-3)
+    assert copy.tools.stored[0] <= 1.03 * held
+    assert 0.0 < copy.tools.share[0] < 1.0
+    assert copy.force[2] <= 1.03 * force
+    assert copy.residual <= 1e-14 * copy.in_play
 
 
 def test_a_tool_at_rest_stays_for_a_minute() -> None:

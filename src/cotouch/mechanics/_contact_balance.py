@@ -38,7 +38,8 @@ from cotouch.mechanics._balance_length import (
 from cotouch.mechanics._balance_parts import close_all, judge
 from cotouch.mechanics._contact_catch import room
 from cotouch.mechanics._contact_centre import go_about, is_free, join_crossed
-from cotouch.mechanics._contact_press import press_tool, rub
+from cotouch.mechanics._contact_outside import soften
+from cotouch.mechanics._contact_press import press_tool, pressing, rub, unsure
 from cotouch.mechanics._contact_snap import draw_tool
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import ContactWork
@@ -159,7 +160,7 @@ def balanced(
     work.weighed[FIXED] = 1.0
     seeks, still, rounded, hardly, told = not held_back, False, True, False, False
     scale, have, last, last_over, tries, halves, shrinks = most, 1.0, 0.0, 0.0, 0, 0, _ROUNDING
-    shorter, crossed, most_halves = 0, False, _PARTS if central else _HALVES
+    shorter, crossed, foretells, most_halves = 0, False, False, _PARTS if central else _HALVES
     if central:
         shrinks = _SHARE
         join_crossed(surface, tools, touch, force, T)
@@ -185,7 +186,8 @@ def balanced(
             )
             have = scale
         goes = 1.0 if central else scale  # of the way that is there
-        over, noise, lost = _over(law, surface, touch, tools, T, free, contact, inflow, force is None, goes)
+        beyond = scale - last if foretells else 0.0
+        over, noise, lost = _over(law, surface, touch, tools, T, free, contact, inflow, force is None, goes, beyond)
         if force is None:
             fine = not look or -noise <= over <= max(noise, spare)
         else:
@@ -256,12 +258,17 @@ def balanced(
         if fine and not (goes > 1.0 and _passes(surface, touch, tools, scale * T)):
             break
         begins_anew = False
+        if foretells:  # not as it was thought to be
+            foretells = False
+            continue
         if seeks:
             if tries > 0:
                 slope = (over - last_over) / (scale - last)
             tries, last, last_over = tries + 1, scale, over
             following = min(max(scale - (over - aim) / slope, LEAST), MOST) if slope < 0.0 else scale
             seeks = not fine and tries <= _TRIES and following != scale
+            if seeks and tries == 1 and not central:  # about a centre, tools go as that does as well
+                foretells = aim > 0.0 and abs(following - scale) * unsure(touch, tools, T) <= 0.5 * aim
             begins_anew = not seeks and scale != 1.0 and (fine or crossed or (over > 0.0 and scale == MOST))
             scale = following if seeks else 1.0 if begins_anew else scale
         if not (seeks or begins_anew):
@@ -270,6 +277,9 @@ def balanced(
             halves, told = halves + 1, told or not (rounded or hardly)
             shrinks = min(16.0 * shrinks, 0.5)
             scale = (1.0 - shrinks) * scale if halves < most_halves else 0.0
+            for t in range(tools.mode.shape[0] if force is None and scale == 0.0 else 0):
+                if tools.mode[t] == TOUCH and tools.inside[t] == 0:
+                    soften(law, surface, touch, tools, t)
         if force is not None:
             go_back(force, state, work, lanes)
     if fine and force is None and over > noise and _leave(touch, tools, over):
@@ -373,8 +383,12 @@ def _over(
     inflow: float,
     body: bool,
     scale: float,
+    beyond: float,
 ) -> tuple[float, float, float]:
-    """What a scaled motion leaves over, of tools and, if so, a linear body; its rounding; what the tools lose [J]."""
+    """What a scaled motion leaves over, of tools and, if so, a linear body; its rounding; what the tools lose [J].
+
+    So far `beyond` the scale that the energy of pressure was last worked out at, it is foretold; 0: it is worked out.
+    """
     over = T * scale * ((1.0 - scale) * free - scale * contact) if body else 0.0
     lost, stored = 0.0, 0.0
     for t in range(tools.mode.shape[0]):
@@ -384,7 +398,9 @@ def _over(
             stored += 0.0 if body else T * touch.inertia[t] * rate * rate
         gone, size = 0.0, 0.0
         if tools.mode[t] == TOUCH and tools.inside[t] == 0:
-            touch.stored[t] = press_tool(law, surface, touch, tools, t, scale * T, 0.0)
+            if beyond == 0.0:
+                touch.pressed[t, 1] = press_tool(law, surface, touch, tools, t, scale * T, 0.0, True)
+            touch.stored[t] = touch.pressed[t, 1] - beyond * T * pressing(touch, t)
             rubbed, gone, _ = rub(touch, tools, t, scale * T, T)
             if tools.snaps[t] != 0:
                 touch.well[t], size = draw_tool(surface, touch, tools, t, scale * T, 0.0)

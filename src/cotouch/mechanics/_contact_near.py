@@ -10,10 +10,10 @@ import math
 
 from cotouch.arrays import Float
 from cotouch.mechanics._contact_work import ContactWork
-from cotouch.mechanics._kernel import part
+from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._operator import Operator, row_sum
 from cotouch.mechanics._state import Workspace
-from cotouch.mechanics._vector import at, load, splat, store, total
+from cotouch.mechanics._vector import at, load, put, splat, store, total
 
 # Between which shares all corrections of a step leave of what the first should correct, and the iterations of each at
 # most: what one leaves, no other finds.
@@ -56,11 +56,18 @@ def touched(touch: ContactWork, i: int) -> int:
 
 
 @part
-def say(touch: ContactWork, mean: Float, lanes: tuple[int, ...]) -> None:
-    """Notes what contacts would do at the rate that was found, if they were linear."""
+def say(touch: ContactWork, mean: Float, rhs: Float, lanes: tuple[int, ...]) -> None:
+    """Notes what contacts would do at the rate that was found, if they were linear, and what comes of that."""
+    done, given = splat(0.0, lanes), splat(0.0, lanes)
     for c in range(touch.many[0]):
         i = touch.reach[c]
-        store(touch.said, i, load(touch.push, i, lanes) - touch.hold[i] * load(mean, i, lanes), lanes)
+        rate = load(mean, i, lanes)
+        said = load(touch.push, i, lanes) - touch.hold[i] * rate
+        store(touch.said, i, said, lanes)
+        done = done + said * rate
+    for i in range(mean.shape[0]):
+        given = given + load(mean, i, lanes) * load(rhs, i, lanes)
+    touch.given[0], touch.given[1] = total(given), total(done)
 
 
 @part
@@ -92,9 +99,41 @@ def _gain(touch: ContactWork, square: float, kept: float) -> float:
     return gain
 
 
+@inner
+def _weigh(
+    op: Operator,
+    work: Workspace,
+    touch: ContactWork,
+    values: Float,
+    scale: float,
+    gain: float,
+    size: int,
+    lanes: tuple[int, ...],
+) -> None:
+    """What a correction Δ changes of `v̂ᵀ b` and `v̂ᵀ (A v̂ - b)`: `Δᵀ b` and `Δᵀ (2 A v̂ + A Δ - b)`, v̂ before it.
+
+    Both concern the rows alone that it reached; `A Δ` is what conjugate gradients took off the residual.
+    """
+    given, done, axes = splat(0.0, lanes), splat(0.0, lanes), 3 if len(lanes) > 1 else 1
+    for place in range(size):
+        i = at(touch.reach, place)
+        answer = load(touch.found, i, lanes)
+        taken = splat(0.0, lanes) - load(work.residual, i, lanes)
+        if place < touch.many[0]:
+            taken = taken + load(touch.missed, i, lanes)
+            for a in range(axes):
+                taken = taken - touch.found[i, a] * load(touch.stiff, 3 * place + a, lanes)
+        held = at(work.diagonal, i) * load(work.mean, i, lanes) + scale * row_sum(op, values, i, work.mean, lanes)
+        b = load(work.rhs, i, lanes)
+        given = given + answer * b
+        done = done + answer * (2.0 * held + gain * taken - b)
+    touch.given[0] += gain * total(given)
+    touch.given[1] += gain * total(done)
+
+
 @part
 def correct_near(
-    op: Operator, work: Workspace, touch: ContactWork, leaves: float, cap: int, lanes: tuple[int, ...]
+    op: Operator, work: Workspace, touch: ContactWork, leaves: float, weighs: bool, cap: int, lanes: tuple[int, ...]
 ) -> int:
     """Corrects `work.mean` by what contacts do beside what they were said to.
 
@@ -103,6 +142,7 @@ def correct_near(
         work: `scale`, `values` and `inverse` as its last solve left them.
         touch: what the last look gathered; `said` gets what contacts do at the new rate, if they are linear.
         leaves: which share of what it should correct it may leave, as far as that can be had.
+        weighs: whether to bring `given` up to date.
         cap: on iterations.
         lanes: fixes the width.
 
@@ -138,20 +178,21 @@ def correct_near(
     while not square <= target and iterations < min(cap, _MOST):
         last = size
         for place in range(ring, last):
-            for e in range(op.pointer[reach[place]], op.pointer[reach[place] + 1]):
-                i = op.column[e]
-                if mark[i] == 0:
-                    mark[i] = -1
-                    reach[size] = i
+            row = at(reach, place)
+            for e in range(at(op.pointer, row), at(op.pointer, row + 1)):
+                i = at(op.column, e)
+                if at(mark, i) == 0:
+                    put(mark, i, -1)
+                    put(reach, size, i)
                     size += 1
                     store(residual, i, zero, lanes)
                     store(answer, i, zero, lanes)
         ring = last
         curvature = zero
         for place in range(size):
-            i = reach[place]
+            i = at(reach, place)
             p = load(direction, i, lanes)
-            result = own[i] * p + scale * row_sum(op, values, i, direction, lanes)
+            result = at(own, i) * p + scale * row_sum(op, values, i, direction, lanes)
             if place < count:
                 for a in range(axes):
                     result = result + direction[i, a] * load(stiff, 3 * place + a, lanes)
@@ -160,7 +201,7 @@ def correct_near(
         length = square / total(curvature)
         energy = zero
         for place in range(size):
-            i = reach[place]
+            i = at(reach, place)
             r = load(residual, i, lanes) - length * load(image, i, lanes)
             z = load(inverse, place, lanes) * r if place < count else at(work.inverse, i) * r
             energy = energy + r * z
@@ -171,11 +212,13 @@ def correct_near(
         turn, square = new / square, new
         iterations += 1
         for place in range(size):
-            i = reach[place]
+            i = at(reach, place)
             store(direction, i, load(image, i, lanes) + turn * load(direction, i, lanes), lanes)
+    if weighs:
+        _weigh(op, work, touch, values, scale, gain, size, lanes)
     most = 0.0
     for place in range(size):
-        i = reach[place]
+        i = at(reach, place)
         more = gain * load(answer, i, lanes)
         store(work.mean, i, load(work.mean, i, lanes) + more, lanes)
         store(direction, i, zero, lanes)

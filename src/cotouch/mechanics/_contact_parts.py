@@ -54,7 +54,7 @@ def contact_parts(
     """
     law, touch, T = by.law, by.work, 1e-3
     return [
-        (press_tool, (law, surface, touch, tools, 0, T, T)),
+        (press_tool, (law, surface, touch, tools, 0, T, T, True)),
         (draw_tool, (surface, touch, tools, 0, T, T)),
         (first_crossing, (surface, touch, tools, 0, T)),
         (solve_step, (op, ports, work, T, 0, 1, lanes)),

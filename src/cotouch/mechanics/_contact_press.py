@@ -17,10 +17,10 @@ from cotouch.mechanics._contact_skin import forget_hits, note_hit, place_bead, p
 from cotouch.mechanics._contact_snap import draw_tool
 from cotouch.mechanics._contact_sweep import beads
 from cotouch.mechanics._contact_work import ContactWork
-from cotouch.mechanics._kernel import part
+from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._surface import Surface
-from cotouch.mechanics._tools import Tools
-from cotouch.mechanics._vector import FOUR, load, splat, store
+from cotouch.mechanics._tools import TOUCH, Tools
+from cotouch.mechanics._vector import FOUR, at, four, load, put, splat, store, total
 
 # A stretch of friction that lies this much across the skin, of its length, has no direction along it.
 _ACROSS = 1e-3
@@ -28,7 +28,9 @@ _NOTHING = 1e-290
 
 
 @part
-def press_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: int, time: float, share: float) -> float:
+def press_tool(
+    law: Any, surface: Surface, work: ContactWork, tools: Tools, t: int, time: float, share: float, energies: bool
+) -> float:
     """Energy between a tool and the skin after both moved for some time [J].
 
     Args:
@@ -39,16 +41,17 @@ def press_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: i
         t: which of them.
         time: how long they moved [s].
         share: of the forces there that acts in the step; 0: none, and nothing is written.
+        energies: with a share, whether the energy is that of the state, rather than what suffices for forces.
     """
     if surface.soft.shape[0] == 0:
-        return _sum(law, surface, work, tools, t, time, share)[0]
-    energy, soft = _sum(law, surface, work, tools, t, time, 0.0)
+        return _sum(law, surface, work, tools, t, time, share, energies)[0]
+    energy, soft = _sum(law, surface, work, tools, t, time, 0.0, True)
     if energy <= 0.0:
         return 0.0
     _, _, slope = press(law, tools.stiffness[t], tools.radius[t], 0.0)
     energy, left = _in_series(energy, soft / energy, pi * slope * tools.radius[t] * tools.share[t])
     if share != 0.0:
-        _sum(law, surface, work, tools, t, time, share * left)
+        _sum(law, surface, work, tools, t, time, share * left, False)
     return energy
 
 
@@ -72,13 +75,14 @@ def _in_series(energy: float, soft: float, slope: float) -> tuple[float, float]:
 
 @part
 def _sum(
-    law: Any, surface: Surface, work: ContactWork, tools: Tools, t: int, time: float, share: float
+    law: Any, surface: Surface, work: ContactWork, tools: Tools, t: int, time: float, share: float, energies: bool
 ) -> tuple[float, float]:
     """`press_tool` on a skin that lacks nothing; and the sum of what triangles lack times their energy [Jm/N]."""
     corner, soft = surface.corner, surface.soft
     near, spot, out = work.near, work.spot, work.out
     faces, energy, stiffness, radius = near.shape[1], 0.0, tools.stiffness[t], tools.radius[t]
     lacking, reach = 0.0, radius + surface.relief.top
+    patch, firm, whole, pull, axes = 0.0, 0.0, 0.0, splat(0.0, FOUR), four(share, share, share, 0.0)
     for bead in range(beads(tools, t)):
         place_bead(work, tools, t, bead, time)
         for c in range(work.number[t]):
@@ -89,33 +93,68 @@ def _sum(
                 store(out, q, splat(0.0, FOUR), FOUR)
             area = tools.share[t] * surface.area[f]
             forces = share != 0.0 or soft.shape[0] > 0
-            covered = press_triangle(law, stiffness, radius, area, forces, spot, out)
+            covered = press_triangle(law, stiffness, radius, area, forces, energies, spot, out)
             if surface.relief.top > 0.0:
                 covered += press_relief(law, stiffness, radius, area, forces, surface.relief, f, spot, out)
             if not covered > 0.0:
                 continue
             energy += out[3, 3]
             if soft.shape[0] > 0:  # what the shapes of a truncated body leave out, by how the corners share the load
-                whole = max(out[0, 3] + out[1, 3] + out[2, 3], _NOTHING)
+                every = max(out[0, 3] + out[1, 3] + out[2, 3], _NOTHING)
                 square = 0.0
                 for q in range(3):
-                    square += (out[q, 3] / whole) ** 2
+                    square += (out[q, 3] / every) ** 2
                 lacking += (soft[f, 1] + (soft[f, 0] - soft[f, 1]) * min(square, 1.0)) * out[3, 3]
             if share == 0.0:
                 continue
-            work.patch[t] += share * covered
+            patch += share * covered
             note_hit(work, t, c)
             for q in range(3):
-                v = corner[f, q]
-                for a in range(3):
-                    work.force[v, a] += share * out[q, a]
-                    work.pull[t, a] -= share * out[q, a]
-                firm = share * time * out[3, q]
-                work.firm[v] += firm
-                work.grip[t, 0] += firm
-                work.load[t * faces + c, q] += share * out[q, 3]
-                work.total[t] += share * out[q, 3]
+                v = at(corner, (f, q))
+                push = axes * load(out, q, FOUR)
+                store(work.force, v, load(work.force, v, FOUR) + push, FOUR)
+                pull = pull - push
+                put(work.firm, v, at(work.firm, v) + share * time * at(out, (3, q)))
+            firm += share * time * (out[3, 0] + out[3, 1] + out[3, 2])
+            borne = share * four(out[0, 3], out[1, 3], out[2, 3], 0.0)
+            place = t * faces + c
+            store(work.load, place, load(work.load, place, FOUR) + borne, FOUR)
+            whole += total(borne)
+    if share != 0.0:
+        store(work.pull, t, load(work.pull, t, FOUR) + pull, FOUR)
+        work.patch[t] += patch
+        work.grip[t, 0] += firm
+        work.total[t] += whole
     return energy, lacking
+
+
+@inner
+def pressing(work: ContactWork, t: int) -> float:
+    """Power that the pressure on a tool has on it and the skin, in the middle of the step [W]."""
+    power = 0.0
+    for a in range(3):
+        power += work.way[t, 3] * work.way[t, a] * (work.mean[t, a] - work.skin[t, a])
+    return power
+
+
+@inner
+def unsure(work: ContactWork, tools: Tools, T: float) -> float:
+    """How far the power of pressure at the end of a step, times T, is from that in its middle, at most about [J].
+
+    By how forces changed since the last step, and by what that power does not say of the energy at the end.
+    """
+    result = 0.0
+    for t in range(tools.mode.shape[0]):
+        if tools.mode[t] != TOUCH or tools.inside[t] != 0:
+            continue
+        change, rate, skin = 0.0, 0.0, 0.0
+        for a in range(3):
+            change += (work.pull[t, a] - tools.touch_force[t, a]) ** 2
+            rate += work.mean[t, a] ** 2
+            skin += work.skin[t, a] ** 2
+        result += T * math.sqrt(change) * (math.sqrt(rate) + math.sqrt(skin))
+        result += 4.0 * abs(work.pressed[t, 1] - work.pressed[t, 0] + T * pressing(work, t))
+    return result
 
 
 @part
@@ -187,33 +226,37 @@ def rub(work: ContactWork, tools: Tools, t: int, time: float, T: float) -> tuple
 
 
 @part
-def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: int, T: float) -> None:
+def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: int, T: float, first: bool) -> float:
     """Gathers the mean force of a step's contact, on tool and skin, as it would be by the present guess of the motion.
 
     Energy along a straight way changes by the mean of its slope, which two points of Gauss's rule give to fourth order.
     Where that way is short, the middle alone is as good.
+
+    Returns:
+        In a first look at one whose way is short, the energy of its pressure in the middle [J].
     """
     forget_hits(work, t)
     work.total[t], work.patch[t], work.grip[t, 0], work.grip[t, 1] = 0.0, 0.0, 0.0, 0.0
     for a in range(4):
         work.pull[t, a] = 0.0
         work.way[t, a] = 0.0
-    half = 0.5 / math.sqrt(3.0)
+    half, energy = 0.5 / math.sqrt(3.0), 0.0
     if work.slow[t] != 0:
-        press_tool(law, surface, work, tools, t, 0.5 * T, 1.0)
+        energy = press_tool(law, surface, work, tools, t, 0.5 * T, 1.0, first)
     else:
-        press_tool(law, surface, work, tools, t, (0.5 - half) * T, 0.5)
-        press_tool(law, surface, work, tools, t, (0.5 + half) * T, 0.5)
+        press_tool(law, surface, work, tools, t, (0.5 - half) * T, 0.5, False)
+        press_tool(law, surface, work, tools, t, (0.5 + half) * T, 0.5, False)
     _resist(surface, work, tools, t, T)
     work.well[t] = 0.0
     if tools.snaps[t] == 0:
-        return
+        return energy
     if work.slow[t] != 0:
         work.well[t], _ = draw_tool(surface, work, tools, t, 0.5 * T, 1.0)
     else:
         early, _ = draw_tool(surface, work, tools, t, (0.5 - half) * T, 0.5)
         late, _ = draw_tool(surface, work, tools, t, (0.5 + half) * T, 0.5)
         work.well[t] = 0.5 * (early + late)
+    return energy
 
 
 @part

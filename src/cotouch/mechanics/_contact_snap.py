@@ -60,7 +60,7 @@ def draw_triangle(
             store(out, q, splat(0.0, FOUR), FOUR)
         ball = math.sqrt(square + k * half)
         stiffness = stiffness_of(modulus * ball * ball, ball)
-        press_triangle(Foundation(1.0), stiffness, ball, area, forces, spot, out)
+        press_triangle(Foundation(1.0), stiffness, ball, area, forces, False, spot, out)
         sign = 2.0 if k == 1 else -1.0
         drawn[3, 3] += sign * out[3, 3]
         size += abs(sign * out[3, 3])

@@ -7,10 +7,10 @@ from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._direction import FEW
 from cotouch.mechanics._direction_missing import lack, miss
 from cotouch.mechanics._kernel import part
-from cotouch.mechanics._operator import Operator, row_product
+from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._solve import solve_step
 from cotouch.mechanics._state import ITERATIONS, Ports, Workspace
-from cotouch.mechanics._vector import load, splat, store, total
+from cotouch.mechanics._vector import load, store
 
 _COARSE = 0.01  # of what the last look missed the next may leave so much, where it solves the whole body
 
@@ -73,18 +73,4 @@ def solve_touched(
     if modal or corrects:
         for i in range(mean.shape[0]):
             store(rhs, i, load(asked, i, lanes), lanes)
-    say(touch, mean, lanes)
-
-
-@part
-def lacking(op: Operator, work: Workspace, lanes: tuple[int, ...]) -> tuple[float, float]:
-    """`v̂ᵀ b` and `v̂ᵀ (A v̂ - b)` of a system that was assembled [W]."""
-    given, lack = splat(0.0, lanes), splat(0.0, lanes)
-    for i in range(op.mass.shape[0]):
-        rate, b = load(work.mean, i, lanes), load(work.rhs, i, lanes)
-        left = b - work.diagonal[i] * rate
-        for family in range(op.entries.shape[0]):
-            left = left - work.scale[family] * row_product(op, family, i, work.mean, lanes)
-        given = given + rate * b
-        lack = lack - rate * left
-    return total(given), total(lack)
+    say(touch, mean, rhs, lanes)

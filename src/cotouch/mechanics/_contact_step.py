@@ -15,11 +15,12 @@ from cotouch.mechanics._contact_balance import balanced, dot_rows
 from cotouch.mechanics._contact_catch import begin_catch, catch
 from cotouch.mechanics._contact_centre import JAMMED, lose_motion
 from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_rows, tell
-from cotouch.mechanics._contact_press import feel_tool, press_tool
+from cotouch.mechanics._contact_outside import begin_tool, feel_first
+from cotouch.mechanics._contact_press import feel_tool
 from cotouch.mechanics._contact_settled import changed, settled
 from cotouch.mechanics._contact_skin import fastest, load_rows, look_around, read_rates
 from cotouch.mechanics._contact_snap import begin_snap, end_snap, owed_drag
-from cotouch.mechanics._contact_solve import lacking, solve_touched
+from cotouch.mechanics._contact_solve import solve_touched
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import Contact, ContactWork
 from cotouch.mechanics._direction import begin_looks, level, predict
@@ -40,7 +41,6 @@ from cotouch.mechanics._world_lean import lean_world
 
 # Looks at most; the change of forces of a linear body at which one more correction is enough.
 _LOOKS, _NEARLY = 12, 1e-3
-_NOTHING = 1e-17  # of the energy in a depth of a tool's radius, it is out of the skin
 # How far a tool looks around beyond its radius, in radii and in ways of a step; below how many radii those are short.
 _MARGIN, _WAYS, _SLOW = 0.05, 3.0, 0.05
 
@@ -97,7 +97,7 @@ def contact_step(
     near = not modal and op.entries.shape[0] > 0 and work.dense.shape[0] == 0
     _drive(tools, touch, T)
     forget_rows(touch, lanes)
-    look = _begin(law, surface, touch, tools, T, state, touch_ledger, lanes)
+    look = _begin(law, surface, touch, tools, T, state, touch_ledger, force is None, lanes)
     guess = state.velocity
     ledger[ITERATIONS], looks, directions, change, enough, last = 0.0, 1, 1, math.inf, 0.0, False
     # Whether the first look corrects the velocity already: what it leaves, the second finds.
@@ -119,7 +119,23 @@ def contact_step(
         before, change = change, 0.0
         for t in range(tools.mode.shape[0]):
             if look and (tools.mode[t] == GRASP or (tools.mode[t] == TOUCH and tools.inside[t] == 0)):
-                change = max(change, _look(law, op, surface, touch, tools, t, T, state, guess, work.diagonal, lanes))
+                change = max(
+                    change,
+                    _look(
+                        law,
+                        op,
+                        surface,
+                        touch,
+                        tools,
+                        t,
+                        T,
+                        state,
+                        guess,
+                        work.diagonal,
+                        number == 0 and force is None,
+                        lanes,
+                    ),
+                )
         if number >= looks:
             enough = settled(op, force, state, guess, touch, tools, T, change, near, lanes)
             if change <= enough:
@@ -141,7 +157,7 @@ def contact_step(
                 hold_ports(op, ports, work)
         if number >= looks and near:
             leaves = enough / change if change > 0.0 else 0.0
-            ledger[ITERATIONS] += correct_near(op, work, touch, leaves, cap, lanes)
+            ledger[ITERATIONS] += correct_near(op, work, touch, leaves, force is None, cap, lanes)
         else:
             solve_touched(
                 op, ports, touch, work, T, number, modal, corrects, force is not None, ledger, tolerance, cap, lanes
@@ -159,7 +175,7 @@ def contact_step(
             feel_grasp(surface, touch, tools, t, T, state.position, mean, work.diagonal, False, lanes)
     tell(touch, modal, lanes)
     if look and near and force is None:  # contacts do what the body asks for and nothing else gives
-        free, contact = lacking(op, work, lanes)
+        free, contact = touch.given[0], touch.given[1]
     else:
         free, contact = dot_rows(mean, work.rhs, lanes), dot_rows(mean, push, lanes) if look else 0.0
     if force is not None:
@@ -222,6 +238,7 @@ def _begin(
     T: float,
     state: State,
     touch_ledger: Float,
+    linear: bool,
     lanes: tuple[int, ...],
 ) -> bool:
     """Looks around, takes and lets go; returns whether any tool touches or holds.
@@ -255,34 +272,11 @@ def _begin(
             touch.seen[t] = _reach(surface, tools, t) * (1.0 + _MARGIN) + _length(tools.axis, t) + _WAYS * way
             touch.slow[t] = way < _SLOW * finest
             look_around(surface, touch, tools, t, touch.seen[t], state.position, lanes)
-            _begin_tool(law, surface, touch, tools, t)
+            begin_tool(law, surface, touch, tools, t, linear)
             begin_snap(surface, touch, tools, t)
         elif tools.mode[t] == GRASP and tools.held[t] < 0:
             take(surface, touch.fit, tools, t, state.position, state.memory, lanes)
     return True
-
-
-@part
-def _begin_tool(law: Any, surface: Surface, touch: ContactWork, tools: Tools, t: int) -> None:
-    """Lets a tool touch that is out of the skin; makes one softer whose energy was changed from outside.
-
-    A radius that grew, or a body that takes another share, must not cost more than the contact holds.
-    """
-    share = tools.share[t]
-    if share == 0.0:  # what does nothing is not out of the skin for that
-        tools.share[t] = 1.0
-    pressed = press_tool(law, surface, touch, tools, t, 0.0, 0.0)
-    if pressed <= _NOTHING * tools.stiffness[t] * tools.radius[t] * tools.radius[t]:
-        tools.inside[t], tools.share[t] = 0, 1.0
-    elif tools.inside[t] == 0 and share == 0.0:
-        tools.share[t] = 0.0
-    elif tools.inside[t] == 0:
-        square = 0.0
-        for a in range(3):
-            square += tools.stretch[t, a] * tools.stretch[t, a]
-        have = max(tools.stored[t] + tools.owed[t] - tools.well[t] - 0.5 * tools.stiffness[t] * square, 0.0)
-        if pressed > have:
-            tools.share[t] *= have / pressed
 
 
 @part
@@ -327,6 +321,7 @@ def _look(
     state: State,
     mean: Float,
     diagonal: Float,
+    first: bool,
     lanes: tuple[int, ...],
 ) -> float:
     """Gathers what one tool does by the present guess; returns by which share that is not what it did before."""
@@ -342,7 +337,10 @@ def _look(
         settled = catch(surface, touch, tools, t, T)
         load_rows(surface, touch, t, diagonal)
         return 0.0 if settled else math.inf
-    feel_tool(law, surface, touch, tools, t, T)
+    if first:
+        feel_first(law, surface, touch, tools, t, T)
+    else:
+        feel_tool(law, surface, touch, tools, t, T, False)
     load_rows(surface, touch, t, diagonal)
     return changed(touch, t)
 

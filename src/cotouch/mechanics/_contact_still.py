@@ -81,7 +81,9 @@ def _press_all(
         for q in range(4):
             for a in range(4):
                 out[q, a] = drawn[q, a] = 0.0
-        press_triangle(law, stiffness, radius, area[f], True, spot, out)
+        press_triangle(law, stiffness, radius, area[f], False, True, spot, drawn)
+        press_triangle(law, stiffness, radius, area[f], True, False, spot, out)
+        out[3, 3] = drawn[3, 3]
         if relief.top > 0.0:
             press_relief(law, stiffness, radius, area[f], True, relief, f, spot, out)
         energy += out[3, 3]

@@ -51,6 +51,7 @@ class ContactWork(NamedTuple):
         quick: a bound on the speed of every vertex by the present guess, (1,) [m/s].
         goal: what corrections of this step may leave of work, negative before the first [W]; how much of the last was
             made, and what it missed; at the end how much of its way a step went, where it was held back, (3,).
+        given: of a linear body: `v̂ᵀ b` of its system without contacts, and `v̂ᵀ (A v̂ - b)`, (2,) [W].
         own: diagonal of the body's system without contacts, while touched rows have more, (rows,) [Ns/m].
         asked: its right-hand side likewise, (rows, width) [N].
         found: where the last look led, (rows, width) [m/s]; of a modal body what the last look pushed with [N].
@@ -77,6 +78,7 @@ class ContactWork(NamedTuple):
         rubbed: stretch of friction at the end, (tools, 4) [m].
         slips: whether it slips then, (tools,).
         stored: energy in contact and friction, or in a grasp, then, and what draws the tool, (tools,) [J].
+        pressed: energy in the pressure on each at the start, and as it was worked out last, (tools, 2) [J].
         well: energy in what draws it, by the last look or then; 0: nothing does, (tools,) [J].
         slow: whether a tool and the skin go so little in a step that their mean force is that in the middle, (tools,).
         seen: how far each tool looked around, (tools,) [m].
@@ -113,6 +115,7 @@ class ContactWork(NamedTuple):
     along: Float
     quick: Float
     goal: Float
+    given: Float
     own: Float
     asked: Float
     found: Float
@@ -134,6 +137,7 @@ class ContactWork(NamedTuple):
     rubbed: Float
     slips: Int
     stored: Float
+    pressed: Float
     well: Float
     slow: Int
     seen: Float
@@ -196,6 +200,7 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         along=np.zeros((rows, model.width)),
         quick=np.zeros(1),
         goal=np.zeros(3),
+        given=np.zeros(2),
         own=np.zeros(rows),
         asked=np.zeros((rows, model.width)),
         found=np.zeros((rows, model.width)),
@@ -217,6 +222,7 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         rubbed=row(),
         slips=np.zeros(tools, dtype=np.int32),
         stored=np.zeros(tools),
+        pressed=np.zeros((tools, 2)),
         well=np.zeros(tools),
         slow=np.zeros(tools, dtype=np.int32),
         seen=np.zeros(tools),

@@ -168,6 +168,24 @@ def four(typingctx: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
 
 
 @intrinsic
+def lane(typingctx: Any, vector: Any, k: Any) -> Any:
+    """One number of a vector; of a number, that.
+
+    Args:
+        typingctx: numba's own.
+        vector: or a number.
+        k: which, from 0.
+    """
+    del typingctx, k
+
+    def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        del context, signature
+        return builder.extract_element(*args) if isinstance(vector, Vec) else args[0]
+
+    return types.float64(vector, types.intp), generate
+
+
+@intrinsic
 def transposed(typingctx: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
     """The rows of a matrix of four by four as its columns."""
 
