@@ -72,6 +72,8 @@ QUICK: Mapping[str, tuple[str, ...]] = {
     "simulation/test_long_steps.py::test_the_balance_is_exact": (
         "cells cells-kinds2-0.01-1",
         "cells cells-kinds3-0.04-1",
+        "cells cells-kinds7-0.02-0",
+        "cells cells-kinds8-0.01-4",
     ),
     "simulation/test_bodies.py::test_several_are_cut_in_every_world_to_the_same_bits": ("peers",),
     "simulation/test_bodies.py::test_peers_come_to_the_same_bits": ("paid",),

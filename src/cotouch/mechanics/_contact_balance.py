@@ -223,7 +223,7 @@ def balanced(
             begins_anew = not seeks and scale != 1.0 and (fine or (over > 0.0 and scale == MOST))
             scale = following if seeks else 1.0 if begins_anew else scale
         if not (seeks or begins_anew):
-            if not (over < -noise or passed) or halves == _HALVES:
+            if (over >= -noise and not passed) or halves == _HALVES:  # what is no number is too much
                 break
             halves, told = halves + 1, told or not (rounded or hardly)
             shrinks = min(16.0 * shrinks, 0.5)

@@ -7,6 +7,7 @@ import math
 from cotouch.arrays import Float
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Meeting
+from cotouch.mechanics._meeting_asleep import around, doze
 from cotouch.mechanics._meeting_near import FAR_SIDE, collect, is_hidden, search
 from cotouch.mechanics._vector import at, put
 from cotouch.mechanics._world import World
@@ -44,23 +45,9 @@ def _lay(m: Meeting, x: Float, body: int, out: Float) -> None:
 
 
 @part
-def _enclose(m: Meeting, body: int, whole: bool) -> None:
-    """Box around a body, or around every part of the tree, where the step begins."""
+def _enclose(m: Meeting, body: int) -> None:
+    """Box around every part of a body's tree where the step begins."""
     root = at(m.boxes, body)
-    if not whole:
-        for a in range(3):
-            low, high = math.inf, -math.inf
-            if m.hidden.shape[0] == 0:
-                for v in range(at(m.vertices, body), at(m.vertices, body + 1)):
-                    low, high = min(low, at(m.place, (v, a))), max(high, at(m.place, (v, a)))
-            else:  # what was cut away flies anywhere
-                for f in range(at(m.leaves, body), at(m.leaves, body + 1)):
-                    for q in range(0 if is_hidden(m, f) else 3):
-                        own = at(m.place, (at(m.corner, (f, q)), a))
-                        low, high = min(low, own), max(high, own)
-            put(m.low, (root, a), low)
-            put(m.high, (root, a), high)
-        return
     box = at(m.boxes, body + 1) - 1
     while box >= root:
         left, right = at(m.child, (box, 0)), at(m.child, (box, 1))
@@ -127,7 +114,7 @@ def gather(world: World, m: Meeting, memory: Float, x: Float, bound: float) -> N
                 put(m.high, (at(m.boxes, b), a), -math.inf)
         elif b < m.moves:
             _lay(m, x, b, m.place)
-            _enclose(m, b, False)
+            around(m, m.place, b, at(m.boxes, b), m.low, m.high)
     for one in range(bodies):
         for two in range(min(one, m.moves)):
             if _near(m, one, two, reach):
@@ -137,7 +124,7 @@ def gather(world: World, m: Meeting, memory: Float, x: Float, bound: float) -> N
         if at(m.within, b) > 0.0 and not is_away(m, memory, b):
             put(m.touched, b, 1)
         if at(m.touched, b) != 0 and b < m.moves:
-            _enclose(m, b, True)
+            _enclose(m, b)
     for own in range(bodies):
         if at(m.touched, own) == 0:
             continue
@@ -155,6 +142,8 @@ def gather(world: World, m: Meeting, memory: Float, x: Float, bound: float) -> N
                 if outside > reach:
                     continue
                 deep = search(m, b, p, px, py, pz, count, reach)
+                if outside > 0.0 and b != own:  # of a skin turned inside out the nearest triangle says it is inside
+                    put(m.began, (count, 0), -abs(deep))
                 far = deep > -math.inf and at(m.face, (count, 1)) == FAR_SIDE  # must be known if it comes nearer
                 if deep < -reach and not far:
                     continue
@@ -221,7 +210,9 @@ def make_ready(world: World, m: Meeting, memory: Float, x: Float, ahead: Float) 
     bound = max(_AHEAD * farthest, m.slack)
     if at(m.entries, 0) == 0 or farthest > at(m.bound, 0) or at(m.bound, 0) > _GENEROUS * bound:
         gather(world, m, memory, x, bound)
+        doze(m, memory, world.first + 4 * world.kind.shape[0] * world.area.shape[0])
     if at(m.entries, 1) > 0:
         for b in range(m.moves):
             if at(m.touched, b) != 0:
                 _lay(m, ahead, b, m.later)
+                put(m.least, (b, 3), 0.0)
