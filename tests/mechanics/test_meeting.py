@@ -375,6 +375,31 @@ def test_what_lies_in_two_others_at_once_holds_what_places_say(made: Callable[[]
     assert twice > 100
 
 
+def test_what_appears_in_an_inside_out_skin_sleeps() -> None:
+    """All that is outside such a skin is behind its triangles; as deep as it would be, no motion could have come."""
+    crumb = lattice((3, 3, 3), mass=0.1, stiffness=1e3, spacing=0.01, model="cells")
+    pair = Several(
+        (cube(5.0, 1e2), (0.0,) * 3, (0.0, 0.0, 0.25 * np.pi)),
+        (crumb, (0.1, 0.055, 0.0), (0.0,) * 3),
+        speeds=((0.0,) * 3, (-1.0, 0.0, 0.0)),
+    )
+    own, mirrored = pair.span(0), np.zeros((pair.body.nodes, 3))
+    mirrored[own, 2] = 2.0 * (pair.body.rest[own, 2].mean() - pair.body.rest[own, 2])
+    pair.state.position[:] = pair.rows(mirrored)
+    closed_settle(pair.model.operator, pair.force, pair.state, pair.work, pair.ledger, pair.model.lanes)
+    world, audited = pair.force.world, pair.state.memory.copy()
+    assert world is not None
+    assert begin_world(world, audited, pair.state.position) == pair.ledger[WORLD_STORED] == 0.0
+    for _ in range(40):
+        before = pair.state.position.copy()
+        pair.run(1)
+        assert follow_world(world, audited, before, pair.state.position, 1e-3) == (0.0, 0.0)
+    assert pair.ledger[WORLD_STORED] == 0.0
+    assert pair.deepest() > 0.01
+    # But known to be there, as where somebody begins, it is met.
+    assert begin_world(world, audited, pair.state.position) > 0.0
+
+
 def slab(size: tuple[float, float, float], at: tuple[float, float, float], **law: float) -> Obstacle:
     """A box that stands still, as a mesh."""
     skin = die(1, size=size).skin

@@ -96,6 +96,10 @@ def play(bodies: list[dict[str, Any]], kinds: list[Any], T: float, seed: int) ->
         ("solid solid", [grasp], 0.04, 1),
         ("solid cells", [grasp], 0.04, 1),
         ("solid solid", [ball, grasp], 0.04, 2),
+        ("cells cells", [ball, grasp], 0.02, 0),
+        ("cells cells", [ball, grasp], 0.01, 4),
+        ("solid solid", [ball, grasp], 0.01, 0),
+        ("solid cells", [ball, grasp], 0.01, 5),
     ],
 )
 def test_the_balance_is_exact(solid: dict[str, Any], bodies: str, kinds: list[Any], T: float, seed: int) -> None:

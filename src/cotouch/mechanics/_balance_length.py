@@ -11,7 +11,7 @@ import math
 
 from cotouch.arrays import Float
 from cotouch.mechanics._balance import FIXED
-from cotouch.mechanics._balance_groups import CENTRE, LENGTH, MASS, OPEN, STILL, TIED, WITH
+from cotouch.mechanics._balance_groups import CENTRE, LACKS, LENGTH, MASS, MOVING, OPEN, STILL, TIED, WITH
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Meeting, Parts
@@ -102,6 +102,26 @@ def join_met(world: World | None, parts: Parts | None) -> None:
             if max(one, two) < m.moves and at(m.met.passed, one) != 0 and at(m.met.passed, two) != 0:
                 _join(parts, one, two)
     keep_groups(parts)
+
+
+@part
+def join_held(parts: Parts | None, noise: float) -> None:
+    """Where a group that a tool touches would have less than no energy, all that tools touch are one group.
+
+    How much of what tools gave was for whom is known only as far as they did work on it.
+    """
+    if parts is None:
+        return
+    for group in range(parts.held.shape[0]):
+        have = 0.0
+        for b in range(parts.held.shape[0]):
+            if at(parts.held, b) != 0 and at(parts.met.group, b) == group:
+                have += at(parts.sums, (b, MOVING)) + at(parts.sums, (b, LACKS))
+        if have < -noise:
+            for one in range(parts.held.shape[0]):
+                for two in range(one):
+                    if at(parts.held, one) != 0 and at(parts.held, two) != 0:
+                        _join(parts, one, two)
 
 
 @part

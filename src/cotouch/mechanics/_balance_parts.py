@@ -14,6 +14,7 @@ from cotouch.mechanics._balance_groups import (
     ABOUT,
     FLOW,
     LACKS,
+    LAST_OF_ALL,
     MASS,
     MOMENTUM,
     MOVING,
@@ -22,7 +23,7 @@ from cotouch.mechanics._balance_groups import (
     held_together,
     scale_parts,
 )
-from cotouch.mechanics._balance_length import join_met
+from cotouch.mechanics._balance_length import join_held, join_met
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Parts
@@ -73,6 +74,8 @@ def close_all(
         return close(op, state, attempt, work, ledger, lanes)
     join_met(force.world, force.parts)
     _share_out(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, push, spare, work, lanes)
+    if attempt == LAST_OF_ALL:
+        join_held(force.parts, work.weighed[NOISE])
     good, worst = decide(force.parts, work.weighed, attempt, False)
     if good:
         scale_parts(op, force.parts, state, worst, work, ledger)

@@ -272,7 +272,8 @@ def balanced(
             begins_anew = not seeks and scale != 1.0 and (fine or crossed or (over > 0.0 and scale == MOST))
             scale = following if seeks else 1.0 if begins_anew else scale
         if not (seeks or begins_anew):
-            if not (over < -noise or passed or crossed) or halves >= (most_halves + 1 if central else most_halves):
+            enough = over >= -noise and not (passed or crossed)  # what is no number is too much
+            if enough or halves >= (most_halves + 1 if central else most_halves):
                 break
             halves, told = halves + 1, told or not (rounded or hardly)
             shrinks = min(16.0 * shrinks, 0.5)

@@ -122,6 +122,9 @@ class Meeting(NamedTuple):
         skip: triangles of its own body that a point does not meet, in order.
         low: scratch: corners of the boxes where the step begins, (B, 4) [m].
         high: scratch, likewise.
+        least: scratch: corners of the box around each body where the step would end, and whether that was worked out,
+            (bodies, 4) [m].
+        most: scratch, likewise.
         place: scratch: vertices where the step begins, (V, 4) [m].
         later: scratch: and where it would end.
         touched: scratch: bodies that are near another, (bodies,).
@@ -133,8 +136,8 @@ class Meeting(NamedTuple):
         other: scratch: which one, (E,).
         first: scratch: first triangle of each in `near`, and one past the last, (E, 2); less than 0: all.
         near: scratch: triangles that a point may come to, (N,).
-        began: scratch: of each entry where the step begins: depth, normal out of the other body, shares of the corners
-            of the nearest triangle, height above its plane, (E + 1, 8).
+        began: scratch: of each entry where the step begins: depth, negative infinity while it is asleep; normal out of
+            the other body, shares of the corners of the nearest triangle, height above its plane, (E + 1, 8).
         face: scratch: that triangle, and whether the nearest point lies within it; then where it ends, (E + 1, 4).
         ended: scratch: as `began`, where the step would end.
         deepest: scratch: depth of the deepest point of either body in the other where the step begins,
@@ -176,6 +179,8 @@ class Meeting(NamedTuple):
     skip: Int
     low: Float
     high: Float
+    least: Float
+    most: Float
     place: Float
     later: Float
     touched: Int

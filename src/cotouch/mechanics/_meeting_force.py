@@ -12,9 +12,10 @@ import math
 from cotouch.arrays import Float
 from cotouch.mechanics._kernel import block, inner, part
 from cotouch.mechanics._meeting import Meeting
+from cotouch.mechanics._meeting_asleep import is_last, wake
 from cotouch.mechanics._meeting_look import gather, make_ready, point_at
 from cotouch.mechanics._meeting_near import FAR_SIDE, crossing, follow
-from cotouch.mechanics._meeting_stretch import mark_of, stretch_in
+from cotouch.mechanics._meeting_stretch import mark_of, put_within, stretch_in
 from cotouch.mechanics._pressed_point import Pressed, Resists, pressed, resists, stretched, untouched
 from cotouch.mechanics._tool_bodies import note_push
 from cotouch.mechanics._vector import at, put
@@ -119,12 +120,6 @@ def _meet(
 
 
 @inner
-def _is_last(m: Meeting, e: int) -> bool:
-    """Whether an entry is the last of its point, which has one for each body that it may meet."""
-    return e + 1 == at(m.entries, 1) or at(m.point, e + 1) != at(m.point, e)
-
-
-@inner
 def _beside(m: Meeting, e: int, f: int, place: Float) -> tuple[float, float, float]:
     """Where the point of a triangle is that an entry's shares name."""
     x = y = z = 0.0
@@ -173,7 +168,7 @@ def press_bodies(
         normal, found = _meet(world, m, memory, e, here, mx, my, mz, T)
         fx, fy, fz, firm = found[0], found[1], found[2], found[5]
         sx, sy, sz = sx + fx, sy + fy, sz + fz
-        if _is_last(m, e):
+        if is_last(m, e):
             change += tell(world, slot + p, sx, sy, sz)
             size += sx * sx + sy * sy + sz * sz
             sx = sy = sz = 0.0
@@ -247,7 +242,7 @@ def weigh_bodies(
         put(memory, world.offset + world.told.shape[0] + slot + p, 0.0)
     for n in range(4 * m.push.shape[0]):
         put(m.push, n, 0.0)
-    deepest, held = -math.inf, 0.0
+    deepest, held, within = -math.inf, 0.0, 0
     for e in range(at(m.entries, 1)):
         p, other = at(m.point, e), at(m.other, e)
         px, py, pz = point_at(world, p, x)
@@ -293,9 +288,11 @@ def weigh_bodies(
             put(memory, here + 2, ez)
             put(memory, here + 3, mark_of(other, slips))
         energy, lost = energy - dropped, lost + dropped
-        if _is_last(m, e):
+        within += 1 if at(m.ended, (e, 0)) > 0.0 else 0
+        if is_last(m, e):
+            put_within(memory, here, within)
             follow_offset(world, memory, slot + p, deepest)
-            deepest, held = -math.inf, 0.0
+            deepest, held, within = -math.inf, 0.0, 0
         if m.push.shape[0] > 0 and at(m.tool, own) != at(m.tool, other):
             note_push(world, m, e, f, fx, fy, fz)
     return energy, lost, passed
@@ -350,6 +347,7 @@ def settle_bodies(world: World, m: Meeting | None, memory: Float, x: Float) -> f
             p = at(m.point, e)
             firm = at(m.stiffness, (at(m.part, p), at(m.other, e)))
             energy += 0.5 * firm * at(world.area, p) * at(world.there, p) * deep * deep
+    wake(m, memory, world.first + 4 * (world.told.shape[0] + world.kind.shape[0] * world.area.shape[0]))
     return energy
 
 

@@ -7,6 +7,7 @@ import math
 from cotouch.arrays import Float
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Meeting
+from cotouch.mechanics._meeting_asleep import around, doze
 from cotouch.mechanics._meeting_near import FAR_SIDE, collect, is_hidden, search
 from cotouch.mechanics._vector import at, put
 from cotouch.mechanics._world import World
@@ -44,23 +45,9 @@ def _lay(m: Meeting, x: Float, body: int, out: Float) -> None:
 
 
 @part
-def _enclose(m: Meeting, body: int, whole: bool) -> None:
-    """Box around a body, or around every part of the tree, where the step begins."""
+def _enclose(m: Meeting, body: int) -> None:
+    """Box around every part of a body's tree where the step begins."""
     root = at(m.boxes, body)
-    if not whole:
-        for a in range(3):
-            low, high = math.inf, -math.inf
-            if m.hidden.shape[0] == 0:
-                for v in range(at(m.vertices, body), at(m.vertices, body + 1)):
-                    low, high = min(low, at(m.place, (v, a))), max(high, at(m.place, (v, a)))
-            else:  # what was cut away flies anywhere
-                for f in range(at(m.leaves, body), at(m.leaves, body + 1)):
-                    for q in range(0 if is_hidden(m, f) else 3):
-                        own = at(m.place, (at(m.corner, (f, q)), a))
-                        low, high = min(low, own), max(high, own)
-            put(m.low, (root, a), low)
-            put(m.high, (root, a), high)
-        return
     box = at(m.boxes, body + 1) - 1
     while box >= root:
         left, right = at(m.child, (box, 0)), at(m.child, (box, 1))
@@ -121,15 +108,13 @@ def gather(world: World, m: Meeting, memory: Float, x: Float, bound: float) -> N
     bodies, reach, count, used = m.touched.shape[0], 2.0 * m.lever * bound, 0, 0
     for b in range(bodies):
         put(m.touched, b, 0)
-        for other in range(bodies):
-            put(m.deepest, (b, other), 0.0)
         if is_away(m, memory, b):  # an empty box is near nothing
             for a in range(3):
                 put(m.low, (at(m.boxes, b), a), math.inf)
                 put(m.high, (at(m.boxes, b), a), -math.inf)
         elif b < m.moves:
             _lay(m, x, b, m.place)
-            _enclose(m, b, False)
+            around(m, m.place, b, at(m.boxes, b), m.low, m.high)
     for one in range(bodies):
         for two in range(min(one, m.moves)):
             if _near(m, one, two, reach):
@@ -139,7 +124,7 @@ def gather(world: World, m: Meeting, memory: Float, x: Float, bound: float) -> N
         if at(m.within, b) > 0.0 and not is_away(m, memory, b):
             put(m.touched, b, 1)
         if at(m.touched, b) != 0 and b < m.moves:
-            _enclose(m, b, True)
+            _enclose(m, b)
     for own in range(bodies):
         if at(m.touched, own) == 0:
             continue
@@ -157,6 +142,8 @@ def gather(world: World, m: Meeting, memory: Float, x: Float, bound: float) -> N
                 if outside > reach:
                     continue
                 deep = search(m, b, p, px, py, pz, count, reach)
+                if outside > 0.0 and b != own:  # of a skin turned inside out the nearest triangle says it is inside
+                    put(m.began, (count, 0), -abs(deep))
                 far = deep > -math.inf and at(m.face, (count, 1)) == FAR_SIDE  # must be known if it comes nearer
                 if deep < -reach and not far:
                     continue
@@ -164,9 +151,6 @@ def gather(world: World, m: Meeting, memory: Float, x: Float, bound: float) -> N
                 put(m.first, (count, 0), used if last >= 0 else -1)
                 put(m.first, (count, 1), max(last, 0))
                 used = max(last, used)
-                if deep > at(m.deepest, (own, b)):
-                    put(m.deepest, (own, b), deep)
-                    put(m.deepest, (b, own), deep)
                 count += 1
     put(m.entries, 0, 1)
     put(m.entries, 1, count)
@@ -218,6 +202,19 @@ def _farthest(m: Meeting, x: Float, ahead: Float) -> float:
     return min(farthest, most * _SURELY)
 
 
+@inner
+def _note_deepest(m: Meeting) -> None:
+    """Notes how deep any point that is not asleep is where the step begins, for each pair of bodies."""
+    for one in range(m.touched.shape[0]):
+        for two in range(m.touched.shape[0]):
+            put(m.deepest, (one, two), 0.0)
+    for e in range(at(m.entries, 1)):
+        own, other, deep = at(m.part, at(m.point, e)), at(m.other, e), at(m.began, (e, 0))
+        if deep > at(m.deepest, (own, other)):
+            put(m.deepest, (own, other), deep)
+            put(m.deepest, (other, own), deep)
+
+
 @part
 def make_ready(world: World, m: Meeting, memory: Float, x: Float, ahead: Float) -> None:
     """Makes sure that what is near is known for a motion, and brings the vertices of who meets to its end."""
@@ -226,7 +223,10 @@ def make_ready(world: World, m: Meeting, memory: Float, x: Float, ahead: Float) 
     bound = max(_AHEAD * farthest, m.slack)
     if at(m.entries, 0) == 0 or farthest > at(m.bound, 0) or at(m.bound, 0) > _GENEROUS * bound:
         gather(world, m, memory, x, bound)
+        doze(m, memory, world.first + 4 * world.kind.shape[0] * world.area.shape[0])
+        _note_deepest(m)
     if at(m.entries, 1) > 0:
         for b in range(m.moves):
             if at(m.touched, b) != 0:
                 _lay(m, ahead, b, m.later)
+                put(m.least, (b, 3), 0.0)

@@ -7,6 +7,7 @@ import math
 from cotouch.arrays import Float
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Meeting
+from cotouch.mechanics._meeting_asleep import appears, beyond
 from cotouch.mechanics._vector import at, put
 
 # Two triangles are as near if squares of their distances differ by no more than this share.
@@ -299,6 +300,9 @@ def follow(m: Meeting, e: int, x: float, y: float, z: float) -> float:
         return -math.inf
     finish(m, m.later, x, y, z, e, m.ended, 2)
     _far_side(m, e, m.ended, 2)
+    deep = at(m.ended, (e, 0))
+    if deep > 0.0 and (appears(m, e) or beyond(m, e, x, y, z)):
+        put(m.ended, (e, 0), -deep)
     return at(m.ended, (e, 0))
 
 

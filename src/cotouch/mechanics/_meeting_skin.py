@@ -166,6 +166,8 @@ def meeting_of(
         skip=skip,
         low=low,
         high=high,
+        least=low[boxes[:-1]],
+        most=high[boxes[:-1]],
         place=rest.copy(),
         later=rest.copy(),
         touched=np.zeros(bodies, dtype=np.int32),

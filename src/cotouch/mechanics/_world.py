@@ -69,8 +69,8 @@ class World(NamedTuple):
     Attributes:
         first: where in a copy's memory the stretches of friction begin: one row of four (the stretch [m], and how far
             it has slipped, see `pressed`) for each obstacle and point, and each point and other bodies, as the last
-            step left them, then the same as this step would. Of the latter the fourth number also says in which body;
-            see `mark_of`.
+            step left them, then the same as this step would. Of the latter the fourth number also says in which body,
+            and in how many the point is; see `mark_of`.
         pointer: CSR row pointer of the points, (P + 1,).
         row: rows of the body that carry each point, (entries,).
         share: how much of each, (entries,).

@@ -11,6 +11,7 @@ import math
 from cotouch.arrays import Float
 from cotouch.mechanics._kernel import block, inner, part
 from cotouch.mechanics._meeting import Meeting
+from cotouch.mechanics._meeting_asleep import doze, wake
 from cotouch.mechanics._meeting_look import gather, point_at
 from cotouch.mechanics._meeting_stretch import stretched_in
 from cotouch.mechanics._shape import depth
@@ -36,8 +37,10 @@ def show(world: World) -> None:
 
 
 @part
-def _depths(world: World, memory: Float, x: Float) -> None:
+def _depths(world: World, memory: Float, x: Float, awake: bool) -> None:
     """What each point holds in each obstacle, and in other bodies, where a step ended, into columns of `told`.
+
+    Of those that sleep nothing, or all of them are awake from now on.
 
     These are: energy beyond its offset over half of its area, κ, and how deep it is; in bodies the sum, the sum, and
     where it is deepest.
@@ -53,7 +56,7 @@ def _depths(world: World, memory: Float, x: Float) -> None:
         for s in range(world.kind.shape[0]):
             deep, _, _, _, _ = depth(at(world.kind, s), world.numbers, s, px, py, pz)
             _add_depth(world, memory, s * points + p, p, at(world.stiffness, s), deep)
-    _depths_between(world, world.bodies, memory, x)
+    _depths_between(world, world.bodies, memory, x, awake)
 
 
 @inner
@@ -67,13 +70,18 @@ def _add_depth(world: World, memory: Float, n: int, p: int, stiffness: float, de
 
 
 @part
-def _depths_between(world: World, m: Meeting | None, memory: Float, x: Float) -> None:
+def _depths_between(world: World, m: Meeting | None, memory: Float, x: Float, awake: bool) -> None:
     """Likewise in other bodies."""
     if m is None:
         return
     gather(world, m, memory, x, 0.0)
     put(m.entries, 0, 0)
     first = world.kind.shape[0] * world.area.shape[0]
+    stretches = world.first + 4 * (world.told.shape[0] + first)
+    if awake:
+        wake(m, memory, stretches)
+    else:
+        doze(m, memory, stretches)
     for e in range(at(m.entries, 1)):
         p = at(m.point, e)
         stiffness = at(m.stiffness, (at(m.part, p), at(m.other, e)))
@@ -89,7 +97,7 @@ def keep_depths(world: World, memory: Float, x: Float) -> None:
         memory: of the copy, after a step.
         x: where it came to, displacements of the rows [m].
     """
-    _depths(world, memory, x)
+    _depths(world, memory, x, False)
     for n in range(world.told.shape[0]):
         put(world.told, (n, 0), at(world.told, (n, 1)))
 
@@ -103,7 +111,7 @@ def meet_anew(world: World, memory: Float, x: Float) -> float:
         memory: of the copy; friction and offsets are changed.
         x: where it is, displacements of the rows [m].
     """
-    _depths(world, memory, x)
+    _depths(world, memory, x, True)
     count, points, energy = world.told.shape[0], world.area.shape[0], 0.0
     for n in range(count):
         there, deep = at(world.there, n % points), at(world.told, (n, 3))
@@ -115,7 +123,7 @@ def meet_anew(world: World, memory: Float, x: Float) -> float:
         elif at(world.told, (n, 1)) > at(world.told, (n, 0)):  # else it is as it was, to the bit
             beyond = math.sqrt(at(world.told, (n, 0)) / (there * at(world.told, (n, 2))))
             put(memory, kept, max(at(memory, kept), deep - beyond))
-    _depths(world, memory, x)
+    _depths(world, memory, x, True)
     for n in range(count):
         p, stretch, slid = n % points, world.first + 4 * (count + n), 0.0
         for a in range(3):

@@ -223,8 +223,8 @@ class RecordedMaterial:
         """What planes, boxes and other bodies held before and after each step, and what was lost at them.
 
         How far friction is stretched follows from the steps before, and so does how deep something was where a cut
-        brought it to light. Where these are not all there, what the peer booked stands in, until the copy touches
-        nothing, or there is neither friction nor a cut.
+        brought it to light, and what is asleep. Where these are not all there, what the peer booked stands in, until
+        the copy touches nothing, or there is neither friction nor a cut, and nothing that meets another yields.
 
         Args:
             start: displacements of the nodes, (steps, n, d) [m].
@@ -242,7 +242,9 @@ class RecordedMaterial:
         if world is None:
             return told
         memory, found, known, held = unsettled(made, user), Outside(*map(np.array, told)), False, np.nan
-        slick = not np.any(world.friction) and (world.bodies is None or not np.any(world.bodies.friction))
+        slick = not np.any(world.friction)
+        if world.bodies is not None:  # points of what yields may be asleep
+            slick = slick and not np.any(world.bodies.friction) and all(part.body.rigid for part in self.body.parts)
         cutting = cutting_of(made)
         for step in range(T.size):
             x, ahead = (made.to_rows(field[step]) for field in (start, after))
