@@ -39,13 +39,12 @@ from cotouch.mechanics._balance_parts import close_all, judge
 from cotouch.mechanics._contact_catch import room
 from cotouch.mechanics._contact_centre import go_about, is_free, join_crossed
 from cotouch.mechanics._contact_outside import soften
-from cotouch.mechanics._contact_press import press_tool, pressing, rub, unsure
-from cotouch.mechanics._contact_snap import draw_tool
+from cotouch.mechanics._contact_over import ROUNDING, leave, over_of
+from cotouch.mechanics._contact_press import unsure
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._direction_groups import level_groups
 from cotouch.mechanics._force import BodyForce
-from cotouch.mechanics._grasp import hold_energy
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import SHORTENED, SUPPLIED, Links, Ports, State, Workspace
@@ -54,8 +53,6 @@ from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import GRASP, TOUCH, TOUCH_LOSS, TOUCHED, Tools
 from cotouch.mechanics._vector import FOUR, at, load, splat, store, total
 
-# A difference below this share of what made it is rounding.
-_ROUNDING = 8e-16
 # What the end velocity may make up for, as a share of its energy, where tools touch: a scale does the rest.
 _EASY = 0.015
 # Of the work between tools and a linear body in a step, so much may be left to the next.
@@ -159,7 +156,7 @@ def balanced(
     central = held_back or is_free(op, force, links, ports, tools, touch, T, work, lanes)
     work.weighed[FIXED] = 1.0
     seeks, still, rounded, hardly, told = not held_back, False, True, False, False
-    scale, have, last, last_over, tries, halves, shrinks = most, 1.0, 0.0, 0.0, 0, 0, _ROUNDING
+    scale, have, last, last_over, tries, halves, shrinks = most, 1.0, 0.0, 0.0, 0, 0, ROUNDING
     shorter, crossed, foretells, most_halves = 0, False, False, _PARTS if central else _HALVES
     if central:
         shrinks = _SHARE
@@ -187,7 +184,7 @@ def balanced(
             have = scale
         goes = 1.0 if central else scale  # of the way that is there
         beyond = scale - last if foretells else 0.0
-        over, noise, lost = _over(law, surface, touch, tools, T, free, contact, inflow, force is None, goes, beyond)
+        over, noise, lost = over_of(law, surface, touch, tools, T, free, contact, inflow, force is None, goes, beyond)
         if force is None:
             fine = not look or -noise <= over <= max(noise, spare)
         else:
@@ -283,7 +280,7 @@ def balanced(
                     soften(law, surface, touch, tools, t)
         if force is not None:
             go_back(force, state, work, lanes)
-    if fine and force is None and over > noise and _leave(touch, tools, over):
+    if fine and force is None and over > noise and leave(touch, tools, over):
         over = 0.0
     touch_ledger[TOUCH_LOSS] += lost + over if over > noise and (force is None or not fine) else lost
     if force is None:
@@ -349,68 +346,9 @@ def _went_astray(op: Operator, touch: ContactWork, work: Workspace, lanes: tuple
 
 
 @part
-def _leave(touch: ContactWork, tools: Tools, over: float) -> bool:
-    """Lets the tool that does most work keep what the next step is to make up for; whether there is one."""
-    chosen, most = -1, 0.0
-    for t in range(tools.mode.shape[0]):
-        work = 0.0
-        for a in range(3):
-            work += abs(touch.mean[t, a] * touch.pull[t, a])
-        if tools.mode[t] in (TOUCH, GRASP) and work > most:
-            chosen, most = t, work
-    if chosen >= 0:
-        touch.stored[chosen] += over
-    return chosen >= 0
-
-
-@part
 def _passes(surface: Surface, touch: ContactWork, tools: Tools, time: float) -> bool:
     """Whether any tool passes the skin within some time."""
     for t in range(tools.mode.shape[0]):
         if tools.mode[t] == TOUCH and tools.inside[t] == 0 and first_crossing(surface, touch, tools, t, time) <= 1.0:
             return True
     return False
-
-
-@part
-def _over(
-    law: Any,
-    surface: Surface,
-    touch: ContactWork,
-    tools: Tools,
-    T: float,
-    free: float,
-    contact: float,
-    inflow: float,
-    body: bool,
-    scale: float,
-    beyond: float,
-) -> tuple[float, float, float]:
-    """What a scaled motion leaves over, of tools and, if so, a linear body; its rounding; what the tools lose [J].
-
-    So far `beyond` the scale that the energy of pressure was last worked out at, it is foretold; 0: it is worked out.
-    """
-    over = T * scale * ((1.0 - scale) * free - scale * contact) if body else 0.0
-    lost, stored = 0.0, 0.0
-    for t in range(tools.mode.shape[0]):
-        for a in range(3):
-            rate = scale * touch.mean[t, a]
-            over += T * rate * (touch.drive[t, a] - touch.inertia[t] * rate)
-            stored += 0.0 if body else T * touch.inertia[t] * rate * rate
-        gone, size = 0.0, 0.0
-        if tools.mode[t] == TOUCH and tools.inside[t] == 0:
-            if beyond == 0.0:
-                touch.pressed[t, 1] = press_tool(law, surface, touch, tools, t, scale * T, 0.0, True)
-            touch.stored[t] = touch.pressed[t, 1] - beyond * T * pressing(touch, t)
-            rubbed, gone, _ = rub(touch, tools, t, scale * T, T)
-            if tools.snaps[t] != 0:
-                touch.well[t], size = draw_tool(surface, touch, tools, t, scale * T, 0.0)
-                rubbed += touch.well[t]
-            touch.stored[t] += rubbed
-        elif tools.mode[t] == GRASP:
-            touch.stored[t], gone = hold_energy(touch, tools, t, scale * T, T)
-            stored += tools.grip_stiffness[t] * touch.held[t, 0]
-        over -= touch.stored[t] - tools.owed[t] - tools.stored[t] + gone
-        lost += gone
-        stored += abs(touch.stored[t]) + abs(tools.stored[t]) + 2.0 * size
-    return over, _ROUNDING * (T * scale * inflow + stored), lost

@@ -1,0 +1,74 @@
+"""What a scaled motion of tools and body leaves over of the energy that came in, and where a little of that stays."""
+# pyright: reportArgumentType=false, reportReturnType=false
+
+from typing import Any
+
+from cotouch.mechanics._contact_press import press_tool, pressing, rub
+from cotouch.mechanics._contact_snap import draw_tool
+from cotouch.mechanics._contact_work import ContactWork
+from cotouch.mechanics._grasp import hold_energy
+from cotouch.mechanics._kernel import part
+from cotouch.mechanics._surface import Surface
+from cotouch.mechanics._tools import GRASP, TOUCH, Tools
+
+# A difference below this share of what made it is rounding.
+ROUNDING = 8e-16
+
+
+@part
+def over_of(
+    law: Any,
+    surface: Surface,
+    touch: ContactWork,
+    tools: Tools,
+    T: float,
+    free: float,
+    contact: float,
+    inflow: float,
+    body: bool,
+    scale: float,
+    beyond: float,
+) -> tuple[float, float, float]:
+    """What a scaled motion leaves over, of tools and, if so, a linear body; its rounding; what the tools lose [J].
+
+    So far `beyond` the scale that the energy of pressure was last worked out at, it is foretold; 0: it is worked out.
+    """
+    over = T * scale * ((1.0 - scale) * free - scale * contact) if body else 0.0
+    lost, stored = 0.0, 0.0
+    for t in range(tools.mode.shape[0]):
+        for a in range(3):
+            rate = scale * touch.mean[t, a]
+            over += T * rate * (touch.drive[t, a] - touch.inertia[t] * rate)
+            stored += 0.0 if body else T * touch.inertia[t] * rate * rate
+        gone, size = 0.0, 0.0
+        if tools.mode[t] == TOUCH and tools.inside[t] == 0:
+            if beyond == 0.0:
+                touch.pressed[t, 1] = press_tool(law, surface, touch, tools, t, scale * T, 0.0, True)
+            touch.stored[t] = touch.pressed[t, 1] - beyond * T * pressing(touch, t)
+            rubbed, gone, _ = rub(touch, tools, t, scale * T, T)
+            if tools.snaps[t] != 0:
+                touch.well[t], size = draw_tool(surface, touch, tools, t, scale * T, 0.0)
+                rubbed += touch.well[t]
+            touch.stored[t] += rubbed
+        elif tools.mode[t] == GRASP:
+            touch.stored[t], gone = hold_energy(touch, tools, t, scale * T, T)
+            stored += tools.grip_stiffness[t] * touch.held[t, 0]
+        over -= touch.stored[t] - tools.owed[t] - tools.stored[t] + gone
+        lost += gone
+        stored += abs(touch.stored[t]) + abs(tools.stored[t]) + 2.0 * size
+    return over, ROUNDING * (T * scale * inflow + stored), lost
+
+
+@part
+def leave(touch: ContactWork, tools: Tools, over: float) -> bool:
+    """Lets the tool that does most work keep what the next step is to make up for; whether there is one."""
+    chosen, most = -1, 0.0
+    for t in range(tools.mode.shape[0]):
+        work = 0.0
+        for a in range(3):
+            work += abs(touch.mean[t, a] * touch.pull[t, a])
+        if tools.mode[t] in (TOUCH, GRASP) and work > most:
+            chosen, most = t, work
+    if chosen >= 0:
+        touch.stored[chosen] += over
+    return chosen >= 0
