@@ -164,11 +164,15 @@ class Around:
                 self.peer.start()
             assert self.peer.pid is not None
             self.pid: int = self.peer.pid
-            self.servo, self.guardian, folder = told.recv()
-        self.folder: Path = folder
-        self.reports = ReportReader(folder)
-        self.reports.read()
-        self.until(lambda: pushes(board), "force")
+            try:
+                self.servo, self.guardian, folder = told.recv()
+                self.folder: Path = folder
+                self.reports = ReportReader(folder)
+                self.reports.read()
+                self.until(lambda: pushes(board), "force")
+            except BaseException:  # its servo and guardian end when it does
+                self.peer.kill()
+                raise
 
     def until(self, done: Callable[[], object], what: str) -> None:
         end = time.monotonic() + 30.0
