@@ -1,6 +1,8 @@
 """One test that waits in real time goes on at a time, in whatever process; a killed one holds nobody up."""
 
+import multiprocessing
 import select
+import signal
 import subprocess
 import sys
 import tempfile
@@ -55,6 +57,20 @@ def test_whoever_is_killed_gives_its_turn_away(other):
     one.kill()
     with turn(1):
         pass
+
+
+def test_a_fork_that_lives_on_holds_nobody_up(other):
+    with turn(1):
+        left = multiprocessing.get_context("fork").Process(target=signal.pause)
+        left.start()
+    try:
+        one = other()
+        assert one.stdout.readline() == b"wanted\n"
+        assert select.select([one.stdout], [], [], 20.0)[0]
+        assert one.stdout.readline() == b"mine\n"
+    finally:
+        left.kill()
+        left.join()
 
 
 def test_two_have_turns_where_there_are_two(other):
