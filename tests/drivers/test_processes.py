@@ -78,7 +78,7 @@ class Held:
             assert time.monotonic() < end, f"{what}: {self.said}"
             report = self.link.read()
             if report is not None:
-                if report.causes & Cause.FAST:
+                if report.causes & (Cause.FAST | Cause.ACTIVE):
                     self.link.rearm()
                 self.end.pull((0.03, 0.0, 0.0), None, (0.0, 0.0, 0.0), report.message, 0.002)
             self.given += 1e-3
@@ -147,7 +147,7 @@ def peer(choice: DeviceChoice, tell: Connection) -> None:
         given += 1e-3
         message = EnergyMessage(given=given)
         link.order((0.03, 0.0, 0.0), message, orientation=TURNED, twist=message)
-        if link.causes & Cause.FAST:
+        if link.causes & (Cause.FAST | Cause.ACTIVE):  # nobody holds it as firmly as a person does
             link.rearm()
         time.sleep(0.002)
 
@@ -177,7 +177,7 @@ class Around:
     def until(self, done: Callable[[], object], what: str) -> None:
         end = time.monotonic() + 30.0
         while not done():
-            assert time.monotonic() < end, what
+            assert time.monotonic() < end, (what, self.reports.read())
             time.sleep(0.002)
 
     def gone(self, number: int, stalls: Stalls, *, at: list[int]) -> None:
