@@ -51,8 +51,6 @@ INSIDERS = {
     "drivers/test_processes.py": {"haptics"},
     "session/test_cuts.py": {"members"},
 }
-# These still import what is private in their room by themselves, beside its `inside.py`.
-BESIDE = {"mechanics/test_contact_step.py", "mechanics/test_meeting_near.py"}
 
 
 def private_imports(tree: ast.AST) -> Iterator[tuple[str, str, str]]:
@@ -164,7 +162,7 @@ def test_one_file_of_a_rooms_tests_imports_what_is_private_there() -> None:
         if any(private_imports(ast.parse(path.read_text(encoding="utf-8")))):
             place = path.relative_to(ROOT / "tests")
             found.setdefault(place.parts[0], set()).add(place.as_posix())
-    assert {room: sorted(files - BESIDE) for room, files in found.items() if len(files - BESIDE) > 1} == {}
+    assert {room: sorted(files) for room, files in found.items() if len(files) > 1} == {}
 
 
 def test_every_module_imports_without_a_warning():

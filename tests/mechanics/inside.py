@@ -1,9 +1,13 @@
 """What these tests take from inside the room."""
 
+from cotouch.mechanics import _contact_catch as catching
+from cotouch.mechanics._angle import angles
 from cotouch.mechanics._breaking import SOLIDS, principal_stress
+from cotouch.mechanics._contact_centre import JAMMED
 from cotouch.mechanics._crossing import crosses
 from cotouch.mechanics._cutting_of import EDGES
 from cotouch.mechanics._materials import gradients_of, lame_of
+from cotouch.mechanics._meeting_near import foot
 from cotouch.mechanics._nearest import SWEEPS
 from cotouch.mechanics._operator import operator_of
 from cotouch.mechanics._solve import chebyshev, chebyshev_iterations, conjugate_gradients, invert
@@ -12,16 +16,20 @@ from cotouch.mechanics._vector import WIDTHS, four, root, transposed
 
 __all__ = [
     "EDGES",
+    "JAMMED",
     "SOLIDS",
     "SWEEPS",
     "WIDTHS",
     "Fit",
+    "angles",
     "box_distance",
+    "catching",
     "chebyshev",
     "chebyshev_iterations",
     "conjugate_gradients",
     "crosses",
     "fit_of",
+    "foot",
     "four",
     "gradients_of",
     "invert",

@@ -2,9 +2,9 @@
 
 import numpy as np
 import numpy.typing as npt
+from tests.mechanics.inside import angles
 
 from cotouch.mechanics import kernel, load, store
-from cotouch.mechanics._angle import angles
 
 Float = npt.NDArray[np.float64]
 

@@ -5,12 +5,11 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 import pytest
+from tests.mechanics.inside import JAMMED, catching
 from tests.mechanics.materials import made as soft
 from tests.mechanics.pressing import Pressed
 
 from cotouch.body import Body, lattice
-from cotouch.mechanics import _contact_catch
-from cotouch.mechanics._contact_centre import JAMMED
 
 Float = npt.NDArray[np.float64]
 Caught = list[bool]
@@ -143,8 +142,8 @@ def test_no_guess_asks_for_more_than_turns_the_tool_back(monkeypatch: pytest.Mon
     copy, T, most, wanted = above("linear", 0.01, 0.01), 0.02, 60.0, 1e-3
     copy.begin()
     copy.step(1e-3)
-    monkeypatch.setattr(_contact_catch, "_rate", _contact_catch._rate.py_func)
-    follow: Any = _contact_catch._follow_push.py_func
+    monkeypatch.setattr(catching, "_rate", catching._rate.py_func)
+    follow: Any = catching._follow_push.py_func
     work = copy.contact.work
     work.caught[0, :] = [1.0, 0.0, 0.0, T / 5.0, 0.0, wanted, 1.0, 0.0, 0.0, 0.0, most]
     work.aside[0, :3], work.mean[0, :3], work.inertia[0], work.pull[:] = [0.0, 0.0, 1.0], [0.0, 0.0, -6.0], 5.0, 0.0

@@ -5,9 +5,9 @@ from collections.abc import Callable
 import numba
 import numpy as np
 import pytest
+from tests.mechanics.inside import foot
 
 from cotouch.arrays import Float
-from cotouch.mechanics._meeting_near import foot
 
 Made = Callable[[np.random.Generator], Float]
 
