@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 import numba
 import numpy as np
 import numpy.typing as npt
+from tests.mechanics.materials import made
 
 from benchmarks._copy import CAP, MASS, PERIOD, TOLERANCE, Copy, copy, cube
 from benchmarks._report import Row, command
@@ -45,6 +46,7 @@ Float = npt.NDArray[np.float64]
 SIDES = (10, 17, 27)
 SPACING = 0.01
 STEPS = 1500
+MATERIALS = ("spring-network", "corotated", "st-venant-kirchhoff", "neo-hookean")
 GENERAL, TRUNCATED = 8_000, 50_000
 _MODES = 60
 _LIMIT = 1e-3
@@ -230,6 +232,11 @@ def lattices() -> list[Row]:
         rows.append(_row(f"lattice of {side**3:,} nodes, sphere pressed in", lambda b=body: scene(b))[0])
         rows.append(_row("— three spheres pressed in", lambda b=body: scene(b, spheres=3))[0])
         rows.append(_row("— held at the nodes in a sphere", lambda b=body: scene(b, mode=GRASP))[0])
+    for name in MATERIALS:
+        body = made(name, viscosity=2e-4, shape=(SIDES[0],) * 3)
+        rows.append(
+            _row(f"{name} of {SIDES[0] ** 3:,} nodes, three spheres pressed in", lambda b=body: scene(b, spheres=3))[0]
+        )
     for side in SIDES[:2]:
         body = cells(side)
         rows.append(
