@@ -109,6 +109,7 @@ def test_the_mean_force_does_the_work_of_the_energy(name: str) -> None:
         if exact:
             assert abs(missed[-1]) <= 1e-13 * max(before, 1e-3)
     assert exact or abs(missed[1]) < abs(missed[0]) / 6.0  # an eighth, to third order
+    assert name != "corotated" or abs(missed[0]) < 1e-5 * before, "half of the sum of its rotations leaves 9e-3"
 
 
 @pytest.mark.parametrize("name", EVERY)
@@ -245,15 +246,15 @@ def test_a_bent_body_hardly_needs_its_closure(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["spring-network", *SOLIDS])
-def test_what_rings_nearly_undamped_hardly_needs_its_closure(name: str) -> None:
+def test_what_rings_hardly_needs_its_closure(name: str) -> None:
     """From random velocities, in steps of ωT/2 = 1: as it comes to rest, three looks left too much of what is left."""
-    factors: list[float] = []
-    for seed in range(3):
-        body = made(name, viscosity=5e-4)
-        fast = np.random.default_rng(seed).normal(scale=0.03, size=body.rest.shape)
-        copy = Alone(body, bent(body), fast + np.cross([3.0, 5.0, 2.0], body.rest - body.rest.mean(axis=0)))
-        factors.extend(float(copy.step(1.8e-3)[BETA]) for _ in range(1000))
-    assert np.quantile(factors, 0.99) <= 1e-3
+    for viscosity in (5e-4, 0.0):
+        body, factors = made(name, viscosity=viscosity), list[float]()
+        for seed in range(2):
+            fast = np.random.default_rng(seed).normal(scale=0.03, size=body.rest.shape)
+            copy = Alone(body, bent(body), fast + np.cross([3.0, 5.0, 2.0], body.rest - body.rest.mean(axis=0)))
+            factors.extend(float(copy.step(1.8e-3)[BETA]) for _ in range(800))
+        assert np.quantile(factors, 0.99) <= 1e-3
 
 
 @pytest.mark.parametrize("name", ["floating", "cells"])
