@@ -42,6 +42,7 @@ from cotouch.mechanics._balance_length import (
 from cotouch.mechanics._balance_parts import close_all, free_parts, keep_parts
 from cotouch.mechanics._direction import begin_looks, direct, level, predict
 from cotouch.mechanics._direction_groups import level_groups
+from cotouch.mechanics._direction_more import MOST_LOOKS, leaves_little, rough
 from cotouch.mechanics._direction_search import FIRST_LOOKS, LOOKS, begin_search, best_again, search
 from cotouch.mechanics._force import BodyForce, evaluate
 from cotouch.mechanics._force_memory import looks_ahead
@@ -68,11 +69,6 @@ from cotouch.mechanics._world_force import looks_of, settle_world, take_up
 _MANY = 60
 # What the next look would change, of the end velocity about the centre of mass, for which it is not taken.
 ENOUGH = 2e-4
-# Where it might change more than this, if a look leaves no less than that share, more than the usual number are taken,
-# up to so many: the first finds what the matrix knows well, so the second says too little of what it leaves.
-_LITTLE, _SLOWEST, _MOST = 5e-4, 0.1, 10
-# No more are taken for less than this share of what rounding of places does to the energy of a strained body.
-_ROUNDED = 0.1
 # A step whose end velocity is changed by more than this is told: its forces and its energy disagree.
 CLOSURE_ALARM = 1e-2
 
@@ -122,7 +118,7 @@ def closed_step(
         store(work.mean, i, load(state.velocity, i, lanes), lanes)
     directions, before, alone = looks_ahead(state.memory, force.directions, force.cut), 0.0, force.parts is None
     known, number, looks = False, 0, looks_of(force.world, directions, work.dense.shape[0] > 0)
-    rough = _ROUNDED * op.firmness * (force.grain + 2.0 * math.sqrt(2.0 * force.grain * abs(state.memory[ENERGY])))
+    rounded = rough(op, force, state)
     while number < looks:
         known = predict(op, force, state, T, False, work, lanes) and number >= directions
         if known:
@@ -143,14 +139,12 @@ def closed_step(
             lanes,
         )
         number += 1
-        # Each look leaves about that share of the last one's change by which that was smaller than the one before.
-        left = change * max(change, _SLOWEST * _SLOWEST * before) * moving
-        little = left <= before * max(_LITTLE * _LITTLE * moving * moving, rough * rough)
+        little = leaves_little(change, before, moving, rounded)
         if number > 1 and alone and little and change * change <= before * moving * ENOUGH * ENOUGH:
             directions = min(directions, number)
             if force.world is None:
                 break
-        elif alone and not little and directions <= number < _MOST and change < before:
+        elif alone and not little and directions <= number < MOST_LOOKS and change < before:
             directions = number + 1
             looks = max(looks, directions)
         before = change
@@ -271,8 +265,8 @@ def closed_step(
                 level_groups(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
         attempt += 1
     weighed = work.weighed
-    rounded = abs(weighed[TARGET] - weighed[HAVE]) <= max(weighed[NOISE], weighed[ROUGH])
-    ledger[SHORTENED] = 0.0 if rounded and not refused else max(1.0 - shortest(force.parts, length), 0.0)
+    exact = abs(weighed[TARGET] - weighed[HAVE]) <= max(weighed[NOISE], weighed[ROUGH])
+    ledger[SHORTENED] = 0.0 if exact and not refused else max(1.0 - shortest(force.parts, length), 0.0)
 
 
 @block

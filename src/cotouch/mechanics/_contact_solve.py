@@ -9,8 +9,8 @@ from cotouch.mechanics._direction_missing import lack, miss
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._solve import solve_step
-from cotouch.mechanics._state import ITERATIONS, Ports, Workspace
-from cotouch.mechanics._vector import load, store
+from cotouch.mechanics._state import ITERATIONS, Ports, State, Workspace
+from cotouch.mechanics._vector import at, load, splat, store, total
 
 _COARSE = 0.01  # of what the last look missed the next may leave so much, where it solves the whole body
 
@@ -20,6 +20,7 @@ def solve_touched(
     op: Operator,
     ports: Ports,
     touch: ContactWork,
+    state: State,
     work: Workspace,
     T: float,
     number: int,
@@ -30,12 +31,16 @@ def solve_touched(
     tolerance: float,
     cap: int,
     lanes: tuple[int, ...],
-) -> None:
+) -> tuple[float, float]:
     """Solves the body with what contacts were found to do, or corrects the rate that was found by a coarse solve.
 
     Diagonal and right-hand side are without contacts again afterwards.
+
+    Returns:
+        Of a correction of a body with a material, what it changed and what moves then, as `direct`; else 0.
     """
     mean, rhs, push, own, asked = work.mean, work.rhs, touch.push, touch.own, touch.asked
+    change, moving = 0.0, 0.0
     if modal:  # as much of the change as its answer leaves
         share = 1.0 / (1.0 + max(touch.yields[0], touch.yields[1], touch.yields[2]))
         for i in range(mean.shape[0]):
@@ -64,8 +69,11 @@ def solve_touched(
         for i in range(mean.shape[0]):
             store(touch.found, i, load(mean, i, lanes), lanes)
         ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, _COARSE), FEW, cap, lanes)
-        for i in range(mean.shape[0]):
-            store(mean, i, load(mean, i, lanes) + load(touch.found, i, lanes), lanes)
+        if material:
+            change, moving = _add(op, touch.found, mean, state.velocity, lanes)
+        else:
+            for i in range(mean.shape[0]):
+                store(mean, i, load(mean, i, lanes) + load(touch.found, i, lanes), lanes)
     for c in range(touch.many[0]):
         i = touch.reach[c]
         work.diagonal[i] = own[i]
@@ -74,3 +82,18 @@ def solve_touched(
         for i in range(mean.shape[0]):
             store(rhs, i, load(asked, i, lanes), lanes)
     say(touch, mean, rhs, lanes)
+    return change, moving
+
+
+@part
+def _add(op: Operator, found: Float, mean: Float, velocity: Float, lanes: tuple[int, ...]) -> tuple[float, float]:
+    """Adds a correction to the rate; squares of it, and of the end velocity about the centre, in the norm of M."""
+    change, moving, momentum, mass = splat(0.0, lanes), splat(0.0, lanes), splat(0.0, lanes), 0.0
+    for i in range(mean.shape[0]):
+        more, m = load(mean, i, lanes), at(op.mass, i)
+        rate = load(found, i, lanes) + more
+        store(mean, i, rate, lanes)
+        end = 2.0 * rate - load(velocity, i, lanes)
+        change, moving, momentum = change + m * (more * more), moving + m * (end * end), momentum + m * end
+        mass += m
+    return total(change), total(moving) - total(momentum * momentum) / mass

@@ -25,6 +25,7 @@ from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import Contact, ContactWork
 from cotouch.mechanics._direction import begin_looks, level, predict
 from cotouch.mechanics._direction_missing import hold_ports
+from cotouch.mechanics._direction_more import MOST_LOOKS, leaves_little, rough
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import looks_ahead
 from cotouch.mechanics._grasp import feel_grasp, take
@@ -102,6 +103,7 @@ def contact_step(
     ledger[ITERATIONS], looks, directions, change, enough, last = 0.0, 1, 1, math.inf, 0.0, False
     # Whether the first look corrects the velocity already: what it leaves, the second finds.
     begins = corrects = False
+    material, alone, was, rounded = force is not None, False, 0.0, 0.0
     if force is not None:
         for i in range(mean.shape[0]):
             store(mean, i, load(state.velocity, i, lanes), lanes)
@@ -109,7 +111,8 @@ def contact_step(
         begin_looks(work)
         directions = looks_ahead(state.memory, force.directions, force.cut)
         looks = looks_of(force.world, directions, work.dense.shape[0] > 0)
-        begins = looks > 1 and force.parts is None
+        alone = force.parts is None
+        begins, rounded = looks > 1 and alone, rough(op, force, state)
     for number in range(_LOOKS + looks):
         empty_rows(touch, lanes)
         touch.yields[0] = touch.yields[1] = touch.yields[2] = 0.0
@@ -159,10 +162,15 @@ def contact_step(
             leaves = enough / change if change > 0.0 else 0.0
             ledger[ITERATIONS] += correct_near(op, work, touch, leaves, force is None, cap, lanes)
         else:
-            solve_touched(
-                op, ports, touch, work, T, number, modal, corrects, force is not None, ledger, tolerance, cap, lanes
+            bent, moving = solve_touched(
+                op, ports, touch, state, work, T, number, modal, corrects, material, ledger, tolerance, cap, lanes
             )
             touch.quick[0] = fastest(surface, mean, lanes)
+            if alone and number < looks:
+                most = MOST_LOOKS if bent < was else 0
+                if directions <= number + 1 < most and not leaves_little(bent, was, moving, rounded):
+                    directions, looks = number + 2, max(looks, number + 2)
+                was = bent
         guess = mean
         for t in range(tools.mode.shape[0]):
             _move_tool(touch, t)
