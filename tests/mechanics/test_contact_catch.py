@@ -126,12 +126,12 @@ def test_what_a_hand_gives_is_all_that_tool_and_body_get(name: str) -> None:
 def test_a_jammed_ball_comes_free() -> None:
     """Where it would go nowhere, velocities are not just turned back for ever: it loses motion, and goes on."""
     copy = Pressed(soft("st-venant-kirchhoff", viscosity=2e-4), tolerance=1e-6)
-    copy.tools.radius[:], copy.tools.mass[:], copy.tools.stiffness[:] = 0.003, 0.0094, 2574.0
-    copy.tools.place[0, :3], copy.tools.rate[0, :3] = [0.02365, 0.01669, 0.02494], [2.02649, -0.06844, -4.78931]
+    copy.tools.radius[:], copy.tools.mass[:], copy.tools.stiffness[:] = 0.003, 0.019, 4950.0
+    copy.tools.place[0, :3], copy.tools.rate[0, :3] = [0.00992, 0.01258, 0.0245], [1.60322, 2.10986, -4.72688]
     copy.begin()
     jammed = 0
     for _ in range(60):
-        copy.step(3.163e-3)
+        copy.step(3.241e-3)
         jammed += int(copy.contact.work.goal[0] < JAMMED)
     assert 0 < jammed <= 5
     assert copy.residual <= 1e-13 * copy.in_play
