@@ -115,7 +115,7 @@ def test_a_grasp_that_pulls_within_long_steps_makes_no_energy() -> None:
 
 @pytest.mark.parametrize("model", ["elastic", "corotated"])
 def test_a_tool_slides_over_a_stiff_uneven_mesh_as_over_any_other(model: str) -> None:
-    """Small elements among large ones ring far beyond what a step follows, at ωT/2 of 15; with dampers, they must not."""
+    """Small elements among large ones ring faster than a step follows, at ωT/2 of 15; dampers must still them."""
     points, elements = boxes((7, 6, 4), 0.005)
     inner = ((points > 0.0) & (points < points.max(axis=0))).all(axis=1)
     points[inner] += np.random.default_rng(3).uniform(-0.0018, 0.0018, (int(inner.sum()), 3))
@@ -137,7 +137,8 @@ def test_a_tool_slides_over_a_stiff_uneven_mesh_as_over_any_other(model: str) ->
     copy.begin()
     told, across = 0, 0.0
     for n in range(700):
-        start, end = end, above + [1.2e-5 * max(n - 200, 0), 0.5e-5 * max(n - 200, 0), -min(1e-5 * n, 0.002)]
+        way = max(n - 200, 0)
+        start, end = end, above + np.array([1.2e-5 * way, 0.5e-5 * way, -min(1e-5 * n, 0.002)])
         copy.lead(start, end, damping=3.0)
         copy.step(1e-3)
         told += int(copy.ledger[SHORTENED] > 0.0 or copy.ledger[BETA] > CLOSURE_ALARM)

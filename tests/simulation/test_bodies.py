@@ -13,6 +13,8 @@ from cotouch.simulation import USER_LEDGER, prepare, run_batch, run_peers, run_p
 EXAMPLE = Path(__file__).parents[2] / "examples" / "tower.toml"
 PAIR = {"users": ["Ann", "Ben"], "spring": [[0, 20], [20, 0]], "delay": [[0, 0.01], [0.01, 0]]}
 DIE: dict[str, Any] = {"kind": "box", "size": [0.05, 0.05, 0.05], "mass": 0.1, "resolution": 1}
+# Thin plates, right through each other: less deep than a fiftieth of their size.
+CROSSED = [0.1, 0.1, 0.003], [0.1, 0.003, 0.1]
 PLANE: dict[str, Any] = {"gravity": [0, 0, -9.81], "planes": [{"friction": 0.5, "damping": 20.0}]}
 
 
@@ -224,6 +226,14 @@ def test_a_file_says_all_of_it() -> None:
         (
             {"bodies": [{**DIE, "name": "a"}, {**DIE, "name": "b", "at": [0.03, 0.01, 0.01]}], "world": {}},
             'bodies: "a" and "b" begin 0.015 m deep in each other in the copy of user 1, more than 0.02 of',
+        ),
+        (
+            {"bodies": [{**DIE, "name": "a", "size": CROSSED[0]}, {**DIE, "name": "b", "size": CROSSED[1]}]},
+            'bodies: "a" and "b" begin 0.0015 m deep in each other in the copy of user 1, more than 0.25 of the',
+        ),
+        (
+            {"bodies": [{**DIE, "name": "a", "size": CROSSED[0]}], "world": {"boxes": [{"size": CROSSED[1]}]}},
+            "world.boxes[1]",
         ),
         ({"bodies": [{**DIE, "name": "a"}, {**DIE, "name": "a"}]}, 'two bodies are named "a"'),
         (

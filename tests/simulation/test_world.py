@@ -77,6 +77,10 @@ def test_peers_come_to_the_same_bits(scenario: Callable[[], Scenario]) -> None:
         ({"planes": [{}] * 17}, "it must have at most 16 entries"),
         ({"floor": 0}, "world.floor is not an option that cotouch knows"),
         ({"boxes": [{"size": [1, 1, 1]}]}, "world.boxes[1]: the copy of user 1 begins 0.499 m deep in it, more than"),
+        (
+            {"boxes": [{"size": [1, 1, 0.003], "centre": [0.0, 0.0, 0.02]}]},
+            "world.boxes[1]: the copy of user 1 begins 0.0015 m deep in it, more than a quarter of how thick that is",
+        ),
         ({"boxes": [{"size": [1, 1, 1e-6], "centre": [0, 0, -1]}]}, "an obstacle is 1e-06 m thin"),
     ],
 )

@@ -71,6 +71,19 @@ def nearest_places(corners: Float, point: Float) -> Float:
     return best
 
 
+def thickness(vertices: Float, triangles: Int) -> float:
+    """How thick what a closed surface encloses is in the mean, twice its volume over its area; 0: it encloses nothing.
+
+    Args:
+        vertices: (V, 3) [m].
+        triangles: (F, 3), turned outwards.
+    """
+    a, b, c = (vertices[triangles[:, corner]] - vertices.mean(axis=0) for corner in range(3))
+    across = np.cross(b - a, c - a)
+    area = 0.5 * float(np.linalg.norm(across, axis=1).sum())
+    return max(float(np.einsum("fa,fa->", a, across)) / 3.0 / area, 0.0) if area > 0.0 else 0.0
+
+
 # Places along each axis of what the boxes around two surfaces have in common.
 _ALONG = 4
 

@@ -90,17 +90,9 @@ def touching_of(
             )
         if table.user > users:
             raise ScenarioError(f"tools[{number}].user is {table.user}; the network has users 1 to {users}")
-        raised = 0.0 if contact.texture is None else contact.texture.top()
         if table.kind == "touch" and table.begin == 0.0:
-            user, reach = table.user - 1, table.radius + raised
-            reached = resolve_penetration(body, start[user], np.array(table.at), reach, user)
-            if reached is not None:
-                depth, place = reached
-                raise ScenarioError(
-                    f"tools[{number}].at is {table.at}; a tool that touches starts outside, but with its radius of "
-                    f"{table.radius:g} m{' and the texture' * (raised > 0.0)} this one is {depth:.3g} m deep in the "
-                    f"body; move it to [{', '.join(f'{x:.4g}' for x in place + 0.0)}] or farther, or make it a grasp"
-                )
+            raised = 0.0 if contact.texture is None else contact.texture.top()
+            _refuse_inside(f"tools[{number}]", table, body, start[table.user - 1], raised)
     surface = surface_of(model)
     touches = [table.radius for table in tables if table.kind == "touch"]
     if touches and contact.texture is not None:
@@ -262,6 +254,32 @@ def device_model(table: SimulatedDeviceTable, hand: ToolHand | None, lengths: Fl
             latency=_LATENCY,
         ),
         hand=None if hand is None else SimulatedHand(**hand.model_dump()),
+    )
+
+
+def _refuse_inside(where: str, table: ToolTable, body: Body, displacement: Float, raised: float) -> None:
+    """Refuses a tool that begins within the body.
+
+    Args:
+        where: how the file names it.
+        table: of the tool.
+        body: the shared object.
+        displacement: of its nodes in the user's copy, (n, 3) [m].
+        raised: height of the texture [m].
+    """
+    middle, axis, reach = np.array(table.at), np.array(table.axis or [0.0] * 3), table.radius + raised
+    balls = 2 + int(4.0 * np.linalg.norm(axis) / table.radius) if axis.any() else 1  # as it touches with
+    ways = np.linspace(-1.0, 1.0, balls) if balls > 1 else np.zeros(1)
+    found = [resolve_penetration(body, displacement, middle + way * axis, reach, table.user - 1) for way in ways]
+    reached = [one for one in found if one is not None]
+    if not reached:
+        return
+    depth, place = max(reached, key=lambda one: one[0])
+    to = f"move it to [{', '.join(f'{x:.4g}' for x in place + 0.0)}] or farther, or make it a grasp"
+    raise ScenarioError(
+        f"{where}.at is {table.at}; a tool that touches starts outside, but with its radius of {table.radius:g} m"
+        f"{' and the texture' * (raised > 0.0)} this one is {depth:.3g} m deep in the body; "
+        f"{to if balls == 1 else 'move or turn it'}"
     )
 
 

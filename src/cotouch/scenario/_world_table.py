@@ -24,7 +24,7 @@ from cotouch.mechanics import (
     deepest_point,
     unsettled,
 )
-from cotouch.scenario._penetration import overlap
+from cotouch.scenario._penetration import overlap, thickness
 from cotouch.scenario._tables import MeetingTable, NonNegative, Place, Positive, Table
 
 _MOST = 16
@@ -32,6 +32,8 @@ _MOST = 16
 _DEEP = 0.1
 # And bodies as deep in each other as this share of the smaller one's.
 _INSIDE = 0.02
+# Whatever the size, no deeper than this share of a thickness: what is thin may be right through another.
+_THIN = 0.25
 _ORIGIN = [0.0, 0.0, 0.0]
 # A box of side 2, and its triangles.
 _CORNERS = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
@@ -220,10 +222,12 @@ class WorldTable(Table):
         size = float(np.ptp(ready.body.rest[: ready.body.shared], axis=0).max())
         for i, field in enumerate(position if world.kind.size else ()):
             deep, s = deepest_point(world, unsettled(ready, i), ready.to_rows(field))
-            if deep > _DEEP * size:
+            shape = self.obstacles()[s].shape
+            if deep > _DEEP * size or (isinstance(shape, Box | Plate) and deep > _THIN * min(shape.size)):
+                what = "a tenth of its own size" if deep > _DEEP * size else "a quarter of how thick that is"
                 raise ScenarioError(
-                    f"{self.name(s)}: the copy of user {i + 1} begins {deep:.3g} m deep in it, more than a tenth "
-                    "of its own size; move one of them"
+                    f"{self.name(s)}: the copy of user {i + 1} begins {deep:.3g} m deep in it, more than {what}; move "
+                    "one of them"
                 )
         for i, field in enumerate(position):
             if i == 0 or ready.body.tools or not np.array_equal(field, position[0]):
@@ -246,14 +250,22 @@ class WorldTable(Table):
             things.append((name, (places[begin:end], own.astype(np.int32))))
         still = [(self.name(k), found) for k, one in enumerate(self.obstacles()) if (found := _surface_of(one.shape))]
         for k, (name, own) in enumerate(things):
-            size = float(np.ptp(own[0], axis=0).max())
             for other, beside in (*still, *things[:k]):
                 deep = overlap(own, beside)
-                if deep > _INSIDE * min(size, float(np.ptp(beside[0], axis=0).max())):
+                if deep > min(_limits(own, beside)):
                     raise ScenarioError(
                         f"{other} and {name} overlap in the copy of user {user + 1}, {deep:.3g} m deep; move "
                         "one of them"
                     )
+
+
+def _limits(*surfaces: tuple[Float, Int]) -> tuple[float, float]:
+    """How deep things may begin in each other: by the smaller one's size, and by the thinner one's thickness [m].
+
+    What encloses nothing, such as a sheet of one layer, has no thickness.
+    """
+    size = _INSIDE * min(float(np.ptp(vertices, axis=0).max()) for vertices, _ in surfaces)
+    return size, min((_THIN * thick for one in surfaces if (thick := thickness(*one)) > 0.0), default=np.inf)
 
 
 def _surface_of(shape: Shape) -> tuple[Float, Int] | None:
@@ -273,14 +285,15 @@ def _refuse_inside(ready: Model, world: World, position: Float, solids: Sequence
     for i, field in enumerate(position):
         deep, one, two = deepest_between(world, world.bodies, unsettled(ready, i), ready.to_rows(field))
         own = [b for b in (one, two) if b < len(parts)]
-        size = min(float(np.ptp(parts[b].skin().vertices, axis=0).max()) for b in own)
-        if deep <= _INSIDE * size:
+        size, thin = _limits(*((parts[b].skin().vertices, parts[b].skin().triangles) for b in own))
+        if deep <= (size if one == two else min(size, thin)):
             continue
-        who = f"in the copy of user {i + 1}, more than {_INSIDE:g} of"
+        big = deep > size
+        who = f"in the copy of user {i + 1}, more than {_INSIDE if big else _THIN:g} of"
         if len(own) == 1:
             raise ScenarioError(
                 f'{solids[max(one, two) - len(parts)]}: "{parts[own[0]].name}" begins {deep:.3g} m deep in it {who} '
-                "its own size; move one of them"
+                f"its own {'size' if big else 'thickness'}; move one of them"
             )
         if one == two:
             name = parts[one].name
@@ -288,15 +301,16 @@ def _refuse_inside(ready: Model, world: World, position: Float, solids: Sequence
                 f'between: "{name}" begins {deep:.3g} m deep in itself {who} its size; take self_contact = false, or '
                 "another shape"
             )
+        least = "the smaller one's size" if big else "the thinner one's thickness"
         if parts[one].tool is not None or parts[two].tool is not None:
             tool, other = (one, two) if parts[one].tool is not None else (two, one)
             raise ScenarioError(
-                f'{parts[tool].name}: it begins {deep:.3g} m deep in "{parts[other].name}" {who} the smaller '
-                "one's size; move one of them"
+                f'{parts[tool].name}: it begins {deep:.3g} m deep in "{parts[other].name}" {who} {least}; move one of '
+                "them"
             )
         raise ScenarioError(
-            f'bodies: "{parts[one].name}" and "{parts[two].name}" begin {deep:.3g} m deep in each other {who} the '
-            "smaller one's size; move one of them"
+            f'bodies: "{parts[one].name}" and "{parts[two].name}" begin {deep:.3g} m deep in each other {who} '
+            f"{least}; move one of them"
         )
 
 
