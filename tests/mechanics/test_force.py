@@ -28,7 +28,7 @@ from cotouch.mechanics import (
     LOCAL_LOSS,
     SHORTENED,
     load,
-    part,
+    outlined,
     store,
 )
 from cotouch.mechanics import total as sum_of
@@ -50,7 +50,7 @@ def energy(copy: Alone, x: Float) -> float:
 
 
 def test_every_law_is_tested() -> None:
-    tested = {type(Alone(made(name)).force.law).__name__ for name in EVERY}
+    tested = {type(Alone(made(name)).force.table).__name__ for name in EVERY}
     assert tested == {law.__name__ for law in LAWS} - {"Together"}  # its own are those of several bodies
 
 
@@ -316,7 +316,7 @@ class Tether(NamedTuple):
     lie: float
 
 
-@part
+@outlined
 def tether_resist(
     law: Tether, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]
 ) -> None:
@@ -325,7 +325,7 @@ def tether_resist(
         store(out, i, load(out, i, lanes) + (law.stiffness * law.lie) * middle, lanes)
 
 
-@part
+@outlined
 def tether_evaluate(
     law: Tether, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:
@@ -340,7 +340,7 @@ def test_a_new_law_is_one_file_and_a_wrong_one_is_told(lie: float, monkeypatch: 
     monkeypatch.setitem(LAWS, Tether, (tether_resist, tether_evaluate))
     body = made("floating")
     copy = Alone(body, bent(body))
-    copy.force = copy.force._replace(law=Tether(50.0, lie), directions=3)
+    copy.force = copy.force.following(Tether(50.0, lie))._replace(directions=3)
     copy.state.memory[0] = energy(copy, copy.state.position)
     start = copy.state.memory[0]
     steps = [copy.step(2e-4).copy() for _ in range(100)]
