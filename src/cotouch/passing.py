@@ -12,14 +12,14 @@ import operator
 from collections.abc import Callable, Iterator, Sequence
 from copy import deepcopy
 from importlib import import_module
-from typing import Any, Generic, TypeVar, final
+from typing import Any, Generic, TypeVar, cast, final
 
 import numpy as np
 from numba.core import types
 from numba.core.datamodel.models import PrimitiveModel
 from numba.extending import NativeValue, typeof_impl
 
-from cotouch.arrays import Int
+from cotouch.arrays import Long
 
 # LLVM's types and numba's decorators have no types of their own.
 ir: Any = import_module("llvmlite.ir")
@@ -109,7 +109,7 @@ class Each(Generic[Table]):
         return Each(deepcopy(self.tables, memory))
 
 
-def written(table: tuple[Any, ...], first: int = 0) -> Int:
+def written(table: tuple[Any, ...], first: int = 0) -> Long:
     """A table in memory as kernels find it there, and behind it the tables that it refers to.
 
     What this refers to by address must be kept as long as it is used: the table's arrays, and this array itself.
@@ -137,10 +137,10 @@ def _lay(value: Any, words: list[int], found: list[tuple[int, tuple[Any, ...]]])
         found.append((len(words), value))
         words.append(0)
     elif isinstance(value, tuple):
-        for part in tuple[Any, ...](value):
+        for part in cast("tuple[Any, ...]", value):
             _lay(part, words, found)
     else:
-        words.extend(_words(value))
+        words.extend([0] if value is None else _words(value))
 
 
 def _words(value: Any) -> list[int]:

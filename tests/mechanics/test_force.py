@@ -1,6 +1,9 @@
 """What every body force must do: conformance over the registry."""
 
-from typing import NamedTuple
+import pickle
+from collections.abc import Callable
+from copy import deepcopy
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -27,8 +30,11 @@ from cotouch.mechanics import (
     LAWS,
     LOCAL_LOSS,
     SHORTENED,
+    BodyForce,
+    closed_step,
     load,
     outlined,
+    part,
     store,
 )
 from cotouch.mechanics import total as sum_of
@@ -316,6 +322,19 @@ class Tether(NamedTuple):
     lie: float
 
 
+class Stray(NamedTuple):
+    """Another one, that nobody registered."""
+
+    stiffness: int
+
+
+@part
+def copied_resist(
+    law: Stray, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]
+) -> None:
+    """It is part of who calls it, and has no address."""
+
+
 @outlined
 def tether_resist(
     law: Tether, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]
@@ -333,6 +352,42 @@ def tether_evaluate(
     for i in range(x.shape[0]):
         energy += 0.5 * law.stiffness * sum_of(load(ahead, i, lanes) * load(ahead, i, lanes))
     return energy, 0.0
+
+
+def test_another_law_is_moved_by_the_same_machine_code(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(LAWS, Tether, (tether_resist, tether_evaluate))
+    step: Any = closed_step
+    copies = [Alone(made(name), bent(made(name))) for name in ("floating", "cells")]
+    copies[0].step(1e-3)
+    known = len(step.signatures)
+    copies[1].step(1e-3)
+    copies[1].force = copies[1].force.following(Tether(50.0, 1.0))
+    copies[1].step(1e-3)
+    assert len(step.signatures) == known
+
+
+@pytest.mark.parametrize("again", [deepcopy, lambda force: pickle.loads(pickle.dumps(force))])
+def test_a_copy_of_a_force_has_a_law_of_its_own(again: Callable[[BodyForce], BodyForce]) -> None:
+    copy = Alone(made("cells"), bent(made("cells")))
+    x = copy.rows(bent(made("cells")))
+    expected = gradient(copy, x)
+    copied = again(copy.force)
+    for array in copy.force.table:
+        if isinstance(array, np.ndarray):
+            array.fill(0)
+    assert not gradient(copy, x).any()
+    copy.force = copied
+    np.testing.assert_allclose(gradient(copy, x), expected, atol=1e-12)
+
+
+def test_a_law_that_nobody_registered_or_that_has_no_code_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    copy = Alone(made("floating"))
+    copy.force = copy.force.following(Stray(50))
+    with pytest.raises(TypeError, match="is no law of a body: register it in LAWS"):
+        copy.step(1e-3)
+    monkeypatch.setitem(LAWS, Stray, (copied_resist, tether_evaluate))
+    with pytest.raises(TypeError, match="copied_resist has no machine code of its own: compile it as `outlined`"):
+        copy.step(1e-3)
 
 
 @pytest.mark.parametrize("lie", [1.0, 1.5])

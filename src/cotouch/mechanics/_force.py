@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from numba.core import types
 from numba.extending import overload
 
-from cotouch.arrays import Float, Int
+from cotouch.arrays import Float, Long
 from cotouch.mechanics import _force_cells as cells
 from cotouch.mechanics import _force_frame as frame
 from cotouch.mechanics import _force_rigid as rigid
@@ -65,7 +65,7 @@ class BodyForce(NamedTuple):
         table: the law, one of `LAWS`; kernels know it by `law` only.
     """
 
-    law: Int
+    law: Long
     places: Float
     gravity: Float
     directions: int
@@ -86,14 +86,16 @@ class BodyForce(NamedTuple):
         return self._replace(law=called(table), table=table)
 
     def __deepcopy__(self, memory: dict[int, Any]) -> "BodyForce":
-        return BodyForce(*deepcopy(tuple(self), memory)).following(deepcopy(self.table, memory))
+        made = self._make(deepcopy(tuple(self), memory))
+        return made.following(made.table)
 
     def __reduce__(self) -> tuple[Callable[..., "BodyForce"], tuple[Any, ...]]:
         return _again, tuple(self)
 
 
 def _again(*fields: Any) -> BodyForce:
-    return BodyForce(*fields).following(fields[-1])
+    made = BodyForce._make(fields)
+    return made.following(made.table)
 
 
 # The registry: a law, what adds its forces, and what evaluates it.

@@ -1,31 +1,28 @@
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false, reportUnknownLambdaType=false, reportUnknownParameterType=false
-# numba has no types
 """How a step calls a law of which it knows no more than where it is.
 
-Otherwise the whole step, with contact and several bodies, would be compiled anew for each law, though all but the law's
-own few functions is the same: that took nine tenths of the time.
+Otherwise the whole step, with contact and several bodies, would be compiled anew for each law, though all of it but the
+law's own few functions is the same.
 """
 # Every function takes the interface's arguments, and not each needs all of them.
 # ruff: noqa: ARG001
-# pyright: reportMissingParameterType=false
 
 from importlib import import_module
 from typing import Any
 
 import numpy as np
-from numba import typeof
-from numba.core import types
 
-from cotouch.arrays import Float, Int
+from cotouch.arrays import Float, Long
 from cotouch.compiled import intrinsic
 from cotouch.mechanics._force_memory import forget, take_back
 from cotouch.mechanics._kernel import outlined
 from cotouch.passing import ByAddress, written
 
 # LLVM's types and numba's decorators have no types of their own.
+numba: Any = import_module("numba")
 ir: Any = import_module("llvmlite.ir")
 cgutils: Any = import_module("numba.core.cgutils")
 
+types: Any = numba.core.types
 # Places of a law's functions.
 _RESIST, _EVALUATE, _LEAN, _BEGIN, _UNDO = range(5)
 _NUMBERS, _ROWS = types.Array(types.float64, 1, "C"), types.Array(types.float64, 2, "C")
@@ -40,19 +37,19 @@ _TAKES = (
 )
 _GIVES = (types.none, types.UniTuple(types.float64, 2), types.none, types.none, types.none)
 # Of each type of a law, where its functions are.
-_functions: dict[Any, Int] = {}
+_functions: dict[Any, Long] = {}
 
 
-def called(law: Any) -> Int:
+def called(law: Any) -> Long:
     """Where kernels find a law and its functions; the law must be kept as long.
 
     Args:
         law: a NamedTuple of arrays, numbers and such tables.
     """
-    return written(law, first=_places(typeof(law)).ctypes.data)
+    return written(law, first=_places(numba.typeof(law)).ctypes.data)
 
 
-def _places(kind: Any) -> Int:
+def _places(kind: Any) -> Long:
     return _functions.setdefault(kind, np.zeros(len(_TAKES), dtype=np.int64))
 
 
@@ -129,30 +126,32 @@ def _calls(place: int, law: Any, *given: Any) -> Any:
 
 
 @intrinsic
-def call_resist(typingctx, law, memory, x, ahead, rate, out, lanes):
+def call_resist(typingctx: Any, law: Any, memory: Any, x: Any, ahead: Any, rate: Any, out: Any, lanes: Any) -> Any:
     """`resist` of a law by its address."""
     return _calls(_RESIST, law, memory, x, ahead, rate, out, lanes)
 
 
 @intrinsic
-def call_evaluate(typingctx, law, memory, x, ahead, rate, sweeps, lanes):
+def call_evaluate(typingctx: Any, law: Any, memory: Any, x: Any, ahead: Any, rate: Any, sweeps: Any, lanes: Any) -> Any:
     """`evaluate` of a law by its address."""
     return _calls(_EVALUATE, law, memory, x, ahead, rate, sweeps, lanes)
 
 
 @intrinsic
-def call_lean(typingctx, law, memory, x, ahead, rate, T, out, lanes):
+def call_lean(
+    typingctx: Any, law: Any, memory: Any, x: Any, ahead: Any, rate: Any, T: Any, out: Any, lanes: Any
+) -> Any:
     """`lean` of a law by its address."""
     return _calls(_LEAN, law, memory, x, ahead, rate, T, out, lanes)
 
 
 @intrinsic
-def call_begin(typingctx, law, memory, behind):
+def call_begin(typingctx: Any, law: Any, memory: Any, behind: Any) -> Any:
     """What sets all rotations of a law to none, by its address."""
     return _calls(_BEGIN, law, memory, behind)
 
 
 @intrinsic
-def call_undo(typingctx, law, memory, behind):
+def call_undo(typingctx: Any, law: Any, memory: Any, behind: Any) -> Any:
     """What takes them back, by its address."""
     return _calls(_UNDO, law, memory, behind)
