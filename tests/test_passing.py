@@ -13,8 +13,8 @@ import pytest
 from numba.core.errors import TypingError
 
 from cotouch.arrays import Float
-from cotouch.compiled import subroutine
-from cotouch.passing import Each, by_address
+from cotouch.compiled import intrinsic, subroutine
+from cotouch.passing import ByAddress, Each, by_address, written
 
 
 class Pair(NamedTuple):
@@ -200,6 +200,32 @@ def test_a_copy_of_several_has_a_memory_of_its_own():
     taken(copied, 0, np.zeros(4))
     assert whole[0] == 1.0
     assert copied[0].factors[0] == -1.0
+
+
+@pytest.mark.parametrize("changed", [{}, {"flag": False}, {"nothing": 1.0}])
+def test_what_is_written_is_what_kernels_find(changed: dict[str, Any]):
+    table = outer(**changed)
+    kind = numba.typeof(table)
+    assert isinstance(kind, ByAddress)
+
+    @intrinsic
+    def after_the_first(typingctx: Any, words: Any) -> Any:
+        def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            data = context.make_array(signature.args[0])(context, builder, arguments[0]).data
+            table = builder.gep(data, [context.get_constant(numba.types.intp, 1)])
+            return builder.bitcast(table, context.get_value_type(signature.return_type))
+
+        return kind(words), generate
+
+    @numba.njit(_nrt=False)
+    def read(words: Any, out: Float) -> Any:
+        return reader(after_the_first(words), out)
+
+    expected, found = np.zeros(3), np.zeros(3)
+    words = written(table, first=17)
+    assert words[0] == 17
+    assert read(words, found) == plain(table, expected)
+    np.testing.assert_allclose(found, expected, rtol=1e-15)
 
 
 def test_numbers_come_as_they_are():

@@ -9,15 +9,17 @@ the kernel, and handed on as one address.
 # ruff: noqa: ARG001, ARG002
 
 import operator
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from copy import deepcopy
 from importlib import import_module
-from typing import Any, Generic, TypeVar, final
+from typing import Any, Generic, TypeVar, cast, final
 
 import numpy as np
 from numba.core import types
 from numba.core.datamodel.models import PrimitiveModel
 from numba.extending import NativeValue, typeof_impl
+
+from cotouch.arrays import Long
 
 # LLVM's types and numba's decorators have no types of their own.
 ir: Any = import_module("llvmlite.ir")
@@ -49,19 +51,37 @@ class ByAddress(types.NamedTuple):
         self.name = f"*{self.name}"
 
 
-def by_address(table: T) -> T:
+def by_address(table: T, *, unseen: str | None = None, told: Callable[[Any], None] | None = None) -> T:
     """Hands tables of this class over by their addresses. Kernels read their fields and make none of them.
 
     Args:
         table: a NamedTuple.
+        unseen: a field that kernels do not see, nor are they compiled anew for another type of it.
+        told: is called with numba's type of that field before a kernel is run with such a table.
     """
+    hidden = None if unseen is None else _names(table).index(unseen)
 
     @typeof_impl.register(table)
     def _(value: Any, context: Any) -> ByAddress | None:
         fields = [typeof_impl(field, context) for field in value]
-        return None if None in fields else ByAddress(fields, table)
+        if None in fields:
+            return None
+        if hidden is not None:
+            if told is not None:
+                told(fields[hidden])
+            fields[hidden] = types.none
+        return ByAddress(fields, table)
 
+    _tables.add(table)
     return table
+
+
+# The classes that are handed over so.
+_tables: set[type] = set()
+
+
+def _names(table: Any) -> tuple[str, ...]:
+    return table._fields
 
 
 @final
@@ -87,6 +107,40 @@ class Each(Generic[Table]):
 
     def __deepcopy__(self, memory: dict[int, Any]) -> "Each[Table]":
         return Each(deepcopy(self.tables, memory))
+
+
+def written(table: tuple[Any, ...], first: int = 0) -> Long:
+    """A table in memory as kernels find it there, and behind it the tables that it refers to.
+
+    What this refers to by address must be kept as long as it is used: the table's arrays, and this array itself.
+
+    Args:
+        table: a NamedTuple of arrays, numbers, such tables and tuples of them.
+        first: a word before all of them.
+    """
+    words, found = [first], list[tuple[int, tuple[Any, ...]]]()
+    starts: list[tuple[int, int]] = []
+    _lay(tuple(table), words, found)
+    while found:
+        place, inner = found.pop()
+        starts.append((place, len(words)))
+        _lay(tuple(inner), words, found)
+    memory = np.array(words, dtype=np.int64)
+    for place, start in starts:
+        memory[place] = memory.ctypes.data + _WORD * start
+    return memory
+
+
+def _lay(value: Any, words: list[int], found: list[tuple[int, tuple[Any, ...]]]) -> None:
+    """Adds what a field is in memory, and to `found` where the address of which table belongs."""
+    if type(value) in _tables:
+        found.append((len(words), value))
+        words.append(0)
+    elif isinstance(value, tuple):
+        for part in cast("tuple[Any, ...]", value):
+            _lay(part, words, found)
+    else:
+        words.extend([0] if value is None else _words(value))
 
 
 def _words(value: Any) -> list[int]:

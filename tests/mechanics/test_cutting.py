@@ -162,7 +162,7 @@ def test_the_principal_stress_is_the_slope_of_the_energy(name: str) -> None:
     assert material is not None
     gradient, lame = gradients_of(whole.rest, material.elements), lame_of(material)
     copy = Alone(whole)
-    middle, volume = whole.rest.mean(axis=0), float(copy.force.law.volume[0])
+    middle, volume = whole.rest.mean(axis=0), float(copy.force.table.volume[0])
     for _ in range(20):
         stretch = rng.uniform(0.7, 1.5, 3)
         one, two = (np.linalg.qr(rng.normal(size=(3, 3)))[0] for _ in range(2))

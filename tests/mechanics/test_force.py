@@ -1,6 +1,9 @@
 """What every body force must do: conformance over the registry."""
 
-from typing import NamedTuple
+import pickle
+from collections.abc import Callable
+from copy import deepcopy
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -27,7 +30,10 @@ from cotouch.mechanics import (
     LAWS,
     LOCAL_LOSS,
     SHORTENED,
+    BodyForce,
+    closed_step,
     load,
+    outlined,
     part,
     store,
 )
@@ -50,7 +56,7 @@ def energy(copy: Alone, x: Float) -> float:
 
 
 def test_every_law_is_tested() -> None:
-    tested = {type(Alone(made(name)).force.law).__name__ for name in EVERY}
+    tested = {type(Alone(made(name)).force.table).__name__ for name in EVERY}
     assert tested == {law.__name__ for law in LAWS} - {"Together"}  # its own are those of several bodies
 
 
@@ -316,7 +322,20 @@ class Tether(NamedTuple):
     lie: float
 
 
+class Stray(NamedTuple):
+    """Another one, that nobody registered."""
+
+    stiffness: int
+
+
 @part
+def copied_resist(
+    law: Stray, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]
+) -> None:
+    """It is part of who calls it, and has no address."""
+
+
+@outlined
 def tether_resist(
     law: Tether, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]
 ) -> None:
@@ -325,7 +344,7 @@ def tether_resist(
         store(out, i, load(out, i, lanes) + (law.stiffness * law.lie) * middle, lanes)
 
 
-@part
+@outlined
 def tether_evaluate(
     law: Tether, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:
@@ -335,12 +354,48 @@ def tether_evaluate(
     return energy, 0.0
 
 
+def test_another_law_is_moved_by_the_same_machine_code(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(LAWS, Tether, (tether_resist, tether_evaluate))
+    step: Any = closed_step
+    copies = [Alone(made(name), bent(made(name))) for name in ("floating", "cells")]
+    copies[0].step(1e-3)
+    known = len(step.signatures)
+    copies[1].step(1e-3)
+    copies[1].force = copies[1].force.following(Tether(50.0, 1.0))
+    copies[1].step(1e-3)
+    assert len(step.signatures) == known
+
+
+@pytest.mark.parametrize("again", [deepcopy, lambda force: pickle.loads(pickle.dumps(force))])
+def test_a_copy_of_a_force_has_a_law_of_its_own(again: Callable[[BodyForce], BodyForce]) -> None:
+    copy = Alone(made("cells"), bent(made("cells")))
+    x = copy.rows(bent(made("cells")))
+    expected = gradient(copy, x)
+    copied = again(copy.force)
+    for array in copy.force.table:
+        if isinstance(array, np.ndarray):
+            array.fill(0)
+    assert not gradient(copy, x).any()
+    copy.force = copied
+    np.testing.assert_allclose(gradient(copy, x), expected, atol=1e-12)
+
+
+def test_a_law_that_nobody_registered_or_that_has_no_code_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    copy = Alone(made("floating"))
+    copy.force = copy.force.following(Stray(50))
+    with pytest.raises(TypeError, match="is no law of a body: register it in LAWS"):
+        copy.step(1e-3)
+    monkeypatch.setitem(LAWS, Stray, (copied_resist, tether_evaluate))
+    with pytest.raises(TypeError, match="copied_resist has no machine code of its own: compile it as `outlined`"):
+        copy.step(1e-3)
+
+
 @pytest.mark.parametrize("lie", [1.0, 1.5])
 def test_a_new_law_is_one_file_and_a_wrong_one_is_told(lie: float, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(LAWS, Tether, (tether_resist, tether_evaluate))
     body = made("floating")
     copy = Alone(body, bent(body))
-    copy.force = copy.force._replace(law=Tether(50.0, lie), directions=3)
+    copy.force = copy.force.following(Tether(50.0, lie))._replace(directions=3)
     copy.state.memory[0] = energy(copy, copy.state.position)
     start = copy.state.memory[0]
     steps = [copy.step(2e-4).copy() for _ in range(100)]

@@ -53,7 +53,7 @@ from cotouch.mechanics._coupling_virtual import VIRTUAL
 from cotouch.mechanics._cutting import Cutting, begin_cut, decide_cuts, expose, hear_cuts, mark_cuts, sever, show_skin
 from cotouch.mechanics._cutting_of import cutting_of
 from cotouch.mechanics._force import LAWS, LEANS, BodyForce, evaluate, lean, resist
-from cotouch.mechanics._kernel import block, inner, kernel, part
+from cotouch.mechanics._kernel import block, inner, kernel, outlined, part
 from cotouch.mechanics._meeting import Between
 from cotouch.mechanics._meeting_force import deepest_between
 from cotouch.mechanics._model import Basis, Model, model
@@ -235,6 +235,7 @@ __all__ = [
     "move_apart",
     "multiply",
     "opening_energy",
+    "outlined",
     "own_ports",
     "own_tools",
     "part",

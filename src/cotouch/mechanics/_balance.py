@@ -4,7 +4,7 @@ import math
 
 from cotouch.arrays import Float
 from cotouch.mechanics._force import BodyForce, evaluate
-from cotouch.mechanics._force_together import undo
+from cotouch.mechanics._force_call import call_undo
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._nearest import SWEEPS
 from cotouch.mechanics._operator import Operator
@@ -56,7 +56,7 @@ def keep_place(state: State, work: Workspace, lanes: tuple[int, ...]) -> None:
 @part
 def go_back(force: BodyForce, state: State, work: Workspace, lanes: tuple[int, ...]) -> None:
     """Takes the copy back to where it was kept, after it was weighed."""
-    undo(force.law, state.memory, force.behind)
+    call_undo(force.law, state.memory, force.behind)
     for i in range(state.position.shape[0]):
         store(state.position, i, load(work.ahead, i, lanes), lanes)
         store(state.velocity, i, load(work.pull, i, lanes), lanes)

@@ -45,8 +45,8 @@ from cotouch.mechanics._direction_groups import level_groups
 from cotouch.mechanics._direction_more import MOST_LOOKS, leaves_little, rough
 from cotouch.mechanics._direction_search import FIRST_LOOKS, LOOKS, begin_search, best_again, search
 from cotouch.mechanics._force import BodyForce, evaluate
+from cotouch.mechanics._force_call import call_begin
 from cotouch.mechanics._force_memory import looks_ahead
-from cotouch.mechanics._force_together import begin
 from cotouch.mechanics._kernel import block
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import (
@@ -286,7 +286,7 @@ def closed_settle(
     rows, memory = op.mass.shape[0], state.memory
     zero = splat(0.0, lanes)
     held, weight, moving = zero, zero, zero
-    begin(force.law, memory, force.behind)
+    call_begin(force.law, memory, force.behind)
     for i in range(rows):
         x, v, m = load(state.position, i, lanes), load(state.velocity, i, lanes), at(op.mass, i)
         held = held + at(op.ground, i) * (x * x)

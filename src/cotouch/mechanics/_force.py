@@ -6,28 +6,39 @@
 # pyright: reportMissingParameterType=false, reportAttributeAccessIssue=false, reportUnusedFunction=false
 
 from collections.abc import Callable
+from copy import deepcopy
 from typing import Any, NamedTuple
 
 from numba.core import types
 from numba.extending import overload
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Long
 from cotouch.mechanics import _force_cells as cells
 from cotouch.mechanics import _force_frame as frame
 from cotouch.mechanics import _force_rigid as rigid
 from cotouch.mechanics import _force_springs as springs
 from cotouch.mechanics import _force_tetrahedra as tetrahedra
+from cotouch.mechanics._force_call import (
+    begin_one,
+    call_evaluate,
+    call_lean,
+    call_resist,
+    called,
+    make_ready,
+    no_lean,
+    undo_one,
+)
 from cotouch.mechanics._meeting import Parts
 from cotouch.mechanics._world import World
 from cotouch.passing import by_address
 
 
-@by_address
 class BodyForce(NamedTuple):
     """The forces inside a body, and its weight.
 
     A *law* is a NamedTuple of numbers and arrays that all copies share, and two compiled functions. Positions are
-    displacements from rest, (rows, 4). What a law remembers of a copy (rotations) is in the copy's `memory`.
+    displacements from rest, (rows, 4). What a law remembers of a copy (rotations) is in the copy's `memory`. A step
+    calls these functions by address, so that its machine code is the same for all laws.
 
     * `resist(law, memory, x, ahead, rate, out, lanes)` adds to `out` the mean force between two places,
       `F̄ · (ahead - x) = U(ahead) - U(x)` exactly or to third order, and the damping `B* rate`. With `ahead = x` and no
@@ -40,7 +51,7 @@ class BodyForce(NamedTuple):
     `lean(law, memory, x, ahead, rate, T, out, lanes)`.
 
     Attributes:
-        law: one of `LAWS`.
+        law: where kernels find the law and its functions; see `following`.
         places: of the rows at rest, about their middle, (rows, 4) [m].
         gravity: acceleration of each row, (rows, 4) [m/s²]; a tool among the bodies has none.
         directions: how often a step looks where its force leads before it moves, >= 1.
@@ -51,9 +62,10 @@ class BodyForce(NamedTuple):
         behind: where in a copy's memory begins what is not the law's: of the world, and which elements were cut; 0:
             nothing.
         cut: where in it the number of elements is that were cut; negative: none can be.
+        table: the law, one of `LAWS`; kernels know it by `law` only.
     """
 
-    law: Any
+    law: Long
     places: Float
     gravity: Float
     directions: int
@@ -63,6 +75,27 @@ class BodyForce(NamedTuple):
     behind: int = 0
     cut: int = -1
     parts: Parts | None = None
+    table: Any = None
+
+    def following(self, table: Any) -> "BodyForce":
+        """The same with another law.
+
+        Args:
+            table: one of `LAWS`.
+        """
+        return self._replace(law=called(table), table=table)
+
+    def __deepcopy__(self, memory: dict[int, Any]) -> "BodyForce":
+        made = self._make(deepcopy(tuple(self), memory))
+        return made.following(made.table)
+
+    def __reduce__(self) -> tuple[Callable[..., "BodyForce"], tuple[Any, ...]]:
+        return _again, tuple(self)
+
+
+def _again(*fields: Any) -> BodyForce:
+    made = BodyForce._make(fields)
+    return made.following(made.table)
 
 
 # The registry: a law, what adds its forces, and what evaluates it.
@@ -74,13 +107,26 @@ LAWS: dict[type, tuple[Callable[..., Any], Callable[..., Any]]] = {
     **{solid.kind: (tetrahedra.resist, tetrahedra.evaluate) for solid in tetrahedra.SOLIDS.values()},
 }
 LEANS: dict[type, Callable[..., Any]] = {rigid.Rigid: rigid.lean}
+# What sets the rotations of all bodies to none, and what takes them back, where they are several.
+STARTS: dict[type, tuple[Callable[..., Any], Callable[..., Any]]] = {}
+
+
+def _ready(kind: Any) -> None:
+    """Compiles a law's functions, or finds them compiled, before a step calls them by address."""
+    law = getattr(kind, "instance_class", None)
+    if law not in LAWS:
+        raise TypeError(f"{kind} is no law of a body: register it in LAWS")
+    make_ready(kind, *LAWS[law], LEANS.get(law, no_lean), *STARTS.get(law, (begin_one, undo_one)))
+
+
+by_address(BodyForce, unseen="table", told=_ready)
 
 
 def resist(law: Any, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]) -> None:
     """Adds mean force and damping of any law; see `BodyForce`. Kernels only.
 
     Args:
-        law: one of `LAWS`.
+        law: of a `BodyForce`, or one of `LAWS`.
         memory: what it remembers of the copy, in place.
         x: displacements from rest, (rows, 4) [m].
         ahead: where the step ends [m].
@@ -97,7 +143,7 @@ def evaluate(
     """Energy and dissipated power of any law; see `BodyForce`. Kernels only.
 
     Args:
-        law: one of `LAWS`.
+        law: of a `BodyForce`, or one of `LAWS`.
         memory: what it remembers of the copy, in place.
         x: displacements from rest, (rows, 4) [m].
         ahead: where the energy is wanted [m].
@@ -114,7 +160,7 @@ def lean(
     """Adds how the force of a law grows with the rate, where it gives that; see `BodyForce`. Kernels only.
 
     Args:
-        law: one of `LAWS`.
+        law: of a `BodyForce`, or one of `LAWS`.
         memory: what it remembers of the copy, in place.
         x: displacements from rest, (rows, 4) [m].
         ahead: where the step ends [m].
@@ -132,6 +178,8 @@ def _law(kind: Any) -> tuple[Any, Any]:
 
 @overload(resist)
 def _resist(law, memory, x, ahead, rate, out, lanes):  # numba compares the names with the stub's
+    if isinstance(law, types.Array):
+        return lambda law, memory, x, ahead, rate, out, lanes: call_resist(law, memory, x, ahead, rate, out, lanes)
     found, _ = _law(law)
     if found is None:
         return None
@@ -140,6 +188,10 @@ def _resist(law, memory, x, ahead, rate, out, lanes):  # numba compares the name
 
 @overload(evaluate)
 def _evaluate(law, memory, x, ahead, rate, sweeps, lanes):
+    if isinstance(law, types.Array):
+        return lambda law, memory, x, ahead, rate, sweeps, lanes: call_evaluate(
+            law, memory, x, ahead, rate, sweeps, lanes
+        )
     _, found = _law(law)
     if found is None:
         return None
@@ -148,6 +200,8 @@ def _evaluate(law, memory, x, ahead, rate, sweeps, lanes):
 
 @overload(lean)
 def _lean(law, memory, x, ahead, rate, T, out, lanes):
+    if isinstance(law, types.Array):
+        return lambda law, memory, x, ahead, rate, T, out, lanes: call_lean(law, memory, x, ahead, rate, T, out, lanes)
     if not isinstance(law, types.BaseNamedTuple):
         return None
     found = LEANS.get(law.instance_class)

@@ -11,7 +11,7 @@ from cotouch.arrays import Float, Int
 from cotouch.mechanics._force_memory import FIRST, before_row, is_cut, scratch_row
 from cotouch.mechanics._force_ties import pull_ties, weigh_ties
 from cotouch.mechanics._fours import elements, keep_before, keep_rotations, rotations
-from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._kernel import inner, outlined
 from cotouch.mechanics._matrix3 import (
     Matrix,
     Vector,
@@ -110,7 +110,7 @@ def _rotated(spin: Vector, middle: Matrix, h: float) -> Matrix:
     return h * x[0], h * y[0], h * z[0], h * x[1], h * y[1], h * z[1], h * x[2], h * y[2], h * z[2]
 
 
-@part
+@outlined
 def resist(
     law: CorotatedCells, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]
 ) -> None:
@@ -185,7 +185,7 @@ def _push(law: CorotatedCells, c: int, n: int, out: Float, k: float, stretch: fl
     store(out, i, load(out, i, lanes) + k * stretch, lanes)
 
 
-@part
+@outlined
 def evaluate(
     law: CorotatedCells, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from cotouch.arrays import Float, Int
 from cotouch.mechanics._force_memory import FIRST, before_row, columns, keep
-from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._kernel import inner, outlined
 from cotouch.mechanics._matrix3 import (
     Matrix,
     Vector,
@@ -187,7 +187,7 @@ def _turn(law: Frame, r: Matrix, moment: Matrix, sweeps: int) -> Matrix:
     return nearest(r, moment, sweeps) if law.turning == 1 else r
 
 
-@part
+@outlined
 def resist(law: Frame, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]) -> None:
     """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`."""
     before = columns(memory, FIRST)
@@ -205,7 +205,7 @@ def resist(law: Frame, memory: Float, x: Float, ahead: Float, rate: Float, out: 
         _give(law, r, law.damping, 1.0, False, moment, out)
 
 
-@part
+@outlined
 def evaluate(
     law: Frame, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:

@@ -10,7 +10,7 @@ law gives its true tangent, `lean`: a few looks then meet the mean force to roun
 from typing import NamedTuple
 
 from cotouch.arrays import Float, Int
-from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._kernel import inner, outlined
 from cotouch.mechanics._matrix3 import Matrix, mixture, product, symmetric, transposed_product
 from cotouch.mechanics._vector import at, put
 from cotouch.passing import by_address
@@ -107,7 +107,7 @@ def _power(stress: Matrix, strain: Matrix) -> float:
     )  # fmt: skip
 
 
-@part
+@outlined
 def resist(law: Rigid, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]) -> None:
     """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`."""
     for e in range(law.corner.shape[0]):
@@ -126,7 +126,7 @@ def resist(law: Rigid, memory: Float, x: Float, ahead: Float, rate: Float, out: 
             put(out, row + 2, at(out, row + 2) + a * p[6] + b * p[7] + c * p[8])
 
 
-@part
+@outlined
 def evaluate(
     law: Rigid, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:
@@ -143,7 +143,7 @@ def evaluate(
     return energy, power
 
 
-@part
+@outlined
 def lean(
     law: Rigid,
     memory: Float,

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from cotouch.arrays import Float, Int
 from cotouch.mechanics._fours import Quad, add_rows, apart, as_rows, elements, four_rows, kept, take_rows
-from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._kernel import inner, outlined
 from cotouch.mechanics._matrix3 import Vector
 from cotouch.mechanics._vector import FOUR, at, load, root, splat, total, where
 from cotouch.passing import by_address
@@ -56,7 +56,7 @@ def _sum(a: Vector, b: Vector) -> Vector:
     return a[0] + b[0], a[1] + b[1], a[2] + b[2]
 
 
-@part
+@outlined
 def resist(
     law: SpringNetwork, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]
 ) -> None:
@@ -86,7 +86,7 @@ def resist(
         add_rows(out, j, rows)
 
 
-@part
+@outlined
 def evaluate(
     law: SpringNetwork, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:

@@ -33,7 +33,7 @@ from cotouch.mechanics._fours import (
     rotations,
     take_rows,
 )
-from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._kernel import inner, outlined
 from cotouch.mechanics._matrix3 import (
     Matrix,
     cofactor,
@@ -304,7 +304,7 @@ def _corners(law: Any, e: Quad) -> tuple[Quad, Quad, Quad, Quad]:
     )
 
 
-@part
+@outlined
 def resist(law: Any, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]) -> None:
     """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`."""
     pull_ties(law, memory, x, ahead, rate, out, lanes)
@@ -335,7 +335,7 @@ def _sum(a: Rows, b: Rows, c: Rows) -> Rows:
     return a[0] + b[0] + c[0], a[1] + b[1] + c[1], a[2] + b[2] + c[2], a[3] + b[3] + c[3]
 
 
-@part
+@outlined
 def evaluate(
     law: Any, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:

@@ -6,7 +6,7 @@ Laws of one kind lie side by side in one set of arrays, and a kernel takes the p
 code is the same for any number of bodies. What it remembers of a copy are the memories of all, one after the other.
 """
 # An overload's parameters only name those of its stub; an array indexed by an element of another is a number to numba.
-# ruff: noqa: ARG001, ARG005
+# ruff: noqa: ARG001
 # pyright: reportMissingParameterType=false, reportAttributeAccessIssue=false, reportUnusedFunction=false
 # pyright: reportArgumentType=false, reportReturnType=false
 
@@ -18,9 +18,9 @@ from numba.core import types
 from numba.extending import overload
 
 from cotouch.arrays import Float, Int
-from cotouch.mechanics._force import LAWS, LEANS, evaluate, lean, resist
+from cotouch.mechanics._force import LAWS, LEANS, STARTS, evaluate, lean, resist
 from cotouch.mechanics._force_memory import forget, fresh_memory, take_back
-from cotouch.mechanics._kernel import part
+from cotouch.mechanics._kernel import outlined, part
 from cotouch.mechanics._vector import at, put
 from cotouch.passing import by_address
 
@@ -142,40 +142,16 @@ def fresh_together(law: Together, more: int) -> Float:
     return np.concatenate([np.zeros(_HEAD), *own, np.zeros(more)])
 
 
-def begin(law: Any, memory: Float, behind: int) -> None:
-    """Sets all rotations of any law to none. Kernels only."""
-    raise NotImplementedError
-
-
-@overload(begin)
-def _begin(law, memory, behind):
-    if law.instance_class is Together:
-        return lambda law, memory, behind: _forget_all(law, memory)
-    return lambda law, memory, behind: forget(memory, behind)
-
-
-@part
-def _forget_all(law: Together, memory: Float) -> None:
+@outlined
+def _forget_all(law: Together, memory: Float, behind: int) -> None:
     for place in range(at(law.memory, law.kind.shape[0])):
         put(memory, place, 0.0)
     for b in range(law.kind.shape[0]):
         forget(memory[at(law.memory, b) : at(law.memory, b + 1)], 0)
 
 
-def undo(law: Any, memory: Float, behind: int) -> None:
-    """Takes all rotations of any law back to those with which the last evaluation began. Kernels only."""
-    raise NotImplementedError
-
-
-@overload(undo)
-def _undo(law, memory, behind):
-    if law.instance_class is Together:
-        return lambda law, memory, behind: _undo_all(law, memory)
-    return lambda law, memory, behind: take_back(memory, behind)
-
-
-@part
-def _undo_all(law: Together, memory: Float) -> None:
+@outlined
+def _undo_all(law: Together, memory: Float, behind: int) -> None:
     for b in range(law.kind.shape[0]):
         take_back(memory[at(law.memory, b) : at(law.memory, b + 1)], 0)
 
@@ -263,7 +239,7 @@ def _into(law: Together, b: int, field: Float, out: Float) -> None:
             put(out, 4 * n + a, value)
 
 
-@part
+@outlined
 def resist_together(
     law: Together, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]
 ) -> None:
@@ -296,7 +272,7 @@ def resist_together(
                 put(out, i + a, at(out, i + a) + value)
 
 
-@part
+@outlined
 def evaluate_together(
     law: Together, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:
@@ -324,7 +300,7 @@ def evaluate_together(
     return energy, power
 
 
-@part
+@outlined
 def lean_together(
     law: Together, memory: Float, x: Float, ahead: Float, rate: Float, T: float, out: Float, lanes: tuple[int, ...]
 ) -> None:
@@ -367,3 +343,4 @@ def lean_together(
 
 LAWS[Together] = (resist_together, evaluate_together)
 LEANS[Together] = lean_together
+STARTS[Together] = (_forget_all, _undo_all)

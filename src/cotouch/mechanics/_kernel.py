@@ -41,6 +41,11 @@ def part(function: F) -> F:
     return stamped(_numba(forceinline=False, no_cpython_wrapper=True)(function))
 
 
+def outlined(function: F) -> F:
+    """A `part` that others call by its symbol or its address, however small it is."""
+    return stamped(_numba(forceinline=False, no_cpython_wrapper=True)(function), apart=1)
+
+
 def _numba(**options: bool) -> Callable[[F], Any]:
     njit: Any = numba.njit
     return njit(nogil=True, fastmath={"contract"}, error_model="numpy", _nrt=False, no_cfunc_wrapper=True, **options)

@@ -10,6 +10,7 @@ from cotouch.arrays import Float, Int
 from cotouch.body import SIGNS, Body, Material, Part, SumOfSquares, frame_of, strain_law
 from cotouch.errors import UnsupportedError
 from cotouch.mechanics._force import BodyForce
+from cotouch.mechanics._force_call import called
 from cotouch.mechanics._force_cells import CorotatedCells
 from cotouch.mechanics._force_frame import Frame
 from cotouch.mechanics._force_memory import memory_size
@@ -158,7 +159,8 @@ def force_of(body: Body, material: Material, order: Int | None) -> tuple[BodyFor
     places = np.zeros_like(rest)
     places[row] = rest
     force = BodyForce(
-        law=law,
+        law=called(law),
+        table=law,
         places=places,
         gravity=gravity,
         directions=directions,
@@ -176,7 +178,7 @@ def _together(body: Body, row: Int, rigid: Int) -> tuple[Together, int, int]:
     looks = 1
     for part in body.parts:
         made, size = force_of(part.body, _own(part), None)
-        laws.append(made.law)
+        laws.append(made.table)
         sizes.append(size)
         looks = max(looks, made.directions)
     rows = [row[part.first : part.last] for part in body.parts]

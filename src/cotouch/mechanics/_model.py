@@ -119,8 +119,8 @@ class Model:
 
     def unturned(self) -> Float:
         """What a body force remembers of a copy that it has not seen, (memory,)."""
-        if self.force is not None and isinstance(self.force.law, Together):
-            return fresh_together(self.force.law, self.memory - int(self.force.law.memory[-1]))
+        if self.force is not None and isinstance(self.force.table, Together):
+            return fresh_together(self.force.table, self.memory - int(self.force.table.memory[-1]))
         behind = 0 if self.force is None else self.force.behind
         return fresh_memory(behind, self.memory - behind) if behind else fresh_memory(self.memory)
 
@@ -244,7 +244,7 @@ def _of_material(
     cut = -1
     if body.cut_count:
         cut, memory = memory + 1, memory + 1 + 2 * body.cut_count
-        force = force._replace(law=cut_law(body, force.law, cut), cut=cut - 1)
+        force = force.following(cut_law(body, force.table, cut))._replace(cut=cut - 1)
     op = operator_of(ordered, copies, split)
     return Model(
         body=body,

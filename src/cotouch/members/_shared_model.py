@@ -194,8 +194,8 @@ def _force_numbers(force: BodyForce, rng: np.random.Generator, rows: float) -> l
 
     Each is on the scale of the number of rows, so that none is lost beside the others in `same_body`.
     """
-    arrays = [*_flat(force.law), force.gravity, *_flat(force.world)]
-    said = f"{type(force.law).__name__} {[np.shape(values) for values in arrays]}".encode()
+    arrays = [*_flat(force.table), force.gravity, *_flat(force.world)]
+    said = f"{type(force.table).__name__} {[np.shape(values) for values in arrays]}".encode()
     sizes, ways = 0.0, np.zeros(_LAW_PROBES)
     for values in arrays:
         array = np.asarray(values, dtype=np.float64).ravel()
