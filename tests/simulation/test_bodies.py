@@ -3,8 +3,10 @@
 from pathlib import Path
 from typing import Any
 
+import meshio
 import numpy as np
 import pytest
+from tests.mechanics.materials import boxes
 
 from cotouch.errors import CotouchError
 from cotouch.scenario import Scenario
@@ -283,3 +285,26 @@ def test_wrong_bodies_are_one_sentence(tables: dict[str, Any], said: str) -> Non
         prepare(stack(**({"hands": []} | tables)))
     assert said in str(caught.value)
     assert "\n" not in str(caught.value)
+
+
+def test_a_tool_slides_over_a_stiff_uneven_one_of_several(tmp_path: Path) -> None:
+    """Small elements ring faster than steps follow; with too few looks they hold a tool back, without friction."""
+    points, elements = boxes((7, 6, 4), 0.005)
+    inner = ((points > 0.0) & (points < points.max(axis=0))).all(axis=1)
+    points[inner] += np.random.default_rng(3).uniform(-0.0018, 0.0018, (int(inner.sum()), 3))
+    meshio.Mesh(points, [("tetra", elements)]).write(tmp_path / "block.vtu")
+    soft = {"name": "soft", "file": str(tmp_path / "block.vtu"), "unit": "m", "model": "corotated", "young": 1e6}
+    held = {"rayleigh_stiffness": 2e-4, "ground": "z-", "ground_stiffness": 1e3}
+    path = [[0, 0, 0, 0], [0.2, 0, 0, -0.002], [0.7, 0.006, 0.0025, -0.002]]
+    tool = {"user": 1, "at": [0.011, 0.01, 0.0211], "radius": 0.006, "stiffness": 800}
+    run = simulate(
+        Scenario.make(
+            network={"users": ["Ann"], "spring": [[0]], "delay": [[0]]},
+            bodies=[{**soft, **held}, {**DIE, "name": "die", "at": [0.1, 0, 0]}],
+            tools=[{**tool, "hand": {"path": path, "stiffness": 500, "damping": 3}}],
+            steps={"duration": 0.7},
+        )
+    )
+    force = run["touch_force"].values[0, 250:-1]
+    assert run["closure_alarms"].values[0, -1] == 0
+    assert np.hypot(force[:, 0], force[:, 1]).max() <= 0.05 * force[:, 2].min()

@@ -144,7 +144,7 @@ def closed_step(
             directions = min(directions, number)
             if force.world is None:
                 break
-        elif alone and not little and directions <= number < MOST_LOOKS and change < before:
+        elif not little and directions <= number < MOST_LOOKS and change < before:
             directions = number + 1
             looks = max(looks, directions)
         before = change

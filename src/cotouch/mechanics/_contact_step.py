@@ -103,7 +103,7 @@ def contact_step(
     ledger[ITERATIONS], looks, directions, change, enough, last = 0.0, 1, 1, math.inf, 0.0, False
     # Whether the first look corrects the velocity already: what it leaves, the second finds.
     begins = corrects = False
-    material, alone, was, rounded = force is not None, False, 0.0, 0.0
+    material, was, rounded = force is not None, 0.0, 0.0
     if force is not None:
         for i in range(mean.shape[0]):
             store(mean, i, load(state.velocity, i, lanes), lanes)
@@ -111,8 +111,7 @@ def contact_step(
         begin_looks(work)
         directions = looks_ahead(state.memory, force.directions, force.cut)
         looks = looks_of(force.world, directions, work.dense.shape[0] > 0)
-        alone = force.parts is None
-        begins, rounded = looks > 1 and alone, rough(op, force, state)
+        begins, rounded = looks > 1, rough(op, force, state)
     for number in range(_LOOKS + looks):
         empty_rows(touch, lanes)
         touch.yields[0] = touch.yields[1] = touch.yields[2] = 0.0
@@ -166,7 +165,7 @@ def contact_step(
                 op, ports, touch, state, work, T, number, modal, corrects, material, ledger, tolerance, cap, lanes
             )
             touch.quick[0] = fastest(surface, mean, lanes)
-            if alone and number < looks:
+            if material and number < looks:
                 most = MOST_LOOKS if bent < was else 0
                 if directions <= number + 1 < most and not leaves_little(bent, was, moving, rounded):
                     directions, looks = number + 2, max(looks, number + 2)
