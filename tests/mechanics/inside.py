@@ -12,6 +12,7 @@ from cotouch.mechanics._nearest import SWEEPS
 from cotouch.mechanics._operator import operator_of
 from cotouch.mechanics._solve import chebyshev, chebyshev_iterations, conjugate_gradients, invert
 from cotouch.mechanics._surface import Fit, box_distance, fit_of, place_vertex, refit
+from cotouch.mechanics._tool_walls import walls_of
 from cotouch.mechanics._vector import WIDTHS, four, root, transposed
 
 __all__ = [
@@ -40,4 +41,5 @@ __all__ = [
     "refit",
     "root",
     "transposed",
+    "walls_of",
 ]

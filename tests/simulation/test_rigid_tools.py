@@ -117,6 +117,32 @@ def test_a_lever_is_felt_as_force_and_torque() -> None:
     assert run.attrs["energy_residual"] <= 1e-12
 
 
+def test_a_stylus_slides_across_an_edge_without_catching() -> None:
+    """With points as far apart as it is thick it was pushed with 0.02 to 0.93 N on its way, and 0.2 N came at once."""
+    tilt, slide, deep = 0.6, 0.02, 0.01
+    into = np.array([-deep * np.sin(tilt), 0.0, -deep * np.cos(tilt)])
+    there = into + np.array([slide, 0.0, -slide * np.tan(tilt)])
+    path = [[0, *[0.0] * 6], [0.05, *into, 0, 0, 0], [0.3, *there, 0, 0, 0]]
+    hand = {"path": path, "stiffness": 300, "damping": 3, "turning_stiffness": 1.0}
+    stylus = {"user": 1, "kind": "cylinder", "radius": 0.006, "length": 0.12, "turn": [0, np.pi / 2 + tilt, 0]}
+    block = {**DIE, "size": [0.06, 0.06, 0.06], "mass": 1.0, "resolution": 4, "centre": [0, 0, 0.03]}
+    run = simulate(
+        Scenario.make(
+            network=PAIR,
+            body=block,
+            world=TABLE,
+            between={"stiffness": 1e8, "friction": 0.2, "damping": 20.0},
+            tools=[{**stylus, "mass": 0.02, "at": [0.0375, 0, 0.071], "hand": hand}],
+            steps={"duration": 0.3},
+        )
+    )
+    felt = np.linalg.norm(run["rigid_force"].values[0], axis=-1)
+    on_the_way = felt[felt.size // 3 :]
+    assert on_the_way.min() > 0.6 * on_the_way.max()
+    assert np.abs(np.diff(on_the_way)).max() < 0.06
+    assert run.attrs["energy_residual"] <= 1e-12
+
+
 def test_a_bar_laid_flat_stays_flat_and_is_felt_to_want_to_turn() -> None:
     hand = {"path": [[0, *[0.0] * 6], [0.1, 0, 0, -0.0101, 0, 0.04, 0]], "stiffness": 800, "damping": 4}
     tool = {"at": [0.3, 0, 0.0101], "hand": {**hand, "turning_stiffness": 2.0}}

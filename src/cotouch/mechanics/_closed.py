@@ -42,7 +42,6 @@ from cotouch.mechanics._balance_length import (
 from cotouch.mechanics._balance_parts import close_all, free_parts, keep_parts
 from cotouch.mechanics._direction import begin_looks, direct, level, predict
 from cotouch.mechanics._direction_groups import level_groups
-from cotouch.mechanics._direction_more import MOST_LOOKS, leaves_little, rough
 from cotouch.mechanics._direction_search import FIRST_LOOKS, LOOKS, begin_search, best_again, search
 from cotouch.mechanics._force import BodyForce, evaluate
 from cotouch.mechanics._force_call import call_begin
@@ -69,6 +68,12 @@ from cotouch.mechanics._world_force import looks_of, settle_world, take_up
 _MANY = 60
 # What the next look would change, of the end velocity about the centre of mass, for which it is not taken.
 ENOUGH = 2e-4
+# Where it might change more than this, if a look leaves no less than that share, more than the usual number are taken,
+# up to so many: the first finds what the matrix knows well, so the second says too little of what it leaves. Not where
+# the last changed more than twice as much as the one before: such looks go astray.
+_LITTLE, _SLOWEST, _MOST, _ASTRAY = 5e-4, 0.1, 24, 2.0
+# No more are taken for less than this share of what rounding of places does to the energy of a strained body.
+_ROUNDED = 0.1
 # A step whose end velocity is changed by more than this is told: its forces and its energy disagree.
 CLOSURE_ALARM = 1e-2
 
@@ -117,13 +122,14 @@ def closed_step(
     for i in range(op.mass.shape[0]):
         store(work.mean, i, load(state.velocity, i, lanes), lanes)
     directions, before, alone = looks_ahead(state.memory, force.directions, force.cut), 0.0, force.parts is None
+    tells = alone and op.entries.shape[0] > 0
     known, number, looks = False, 0, looks_of(force.world, directions, work.dense.shape[0] > 0)
-    rounded = rough(op, force, state)
+    rough = _ROUNDED * op.firmness * (force.grain + 2.0 * math.sqrt(2.0 * force.grain * abs(state.memory[ENERGY])))
     while number < looks:
         known = predict(op, force, state, T, False, work, lanes) and number >= directions
         if known:
             break
-        change, moving = direct(
+        change, moving, missed = direct(
             op,
             force,
             state,
@@ -132,6 +138,7 @@ def closed_step(
             local_damping,
             extra_damping,
             T,
+            number,
             work,
             ledger,
             tolerance,
@@ -139,13 +146,17 @@ def closed_step(
             lanes,
         )
         number += 1
-        little = leaves_little(change, before, moving, rounded)
-        if number > 1 and alone and little and change * change <= before * moving * ENOUGH * ENOUGH:
+        # Each look leaves about that share of the last one's change by which that was smaller than the one before, and
+        # of the power that v̂ misses, which the closure would give.
+        power = 0.5 * T * missed / op.copy_scale
+        left = max(change * moving, power * power) * max(change, _SLOWEST * _SLOWEST * before)
+        goes, rounded = before * moving * moving, before * rough * rough
+        if number > 1 and tells and left <= max(ENOUGH * ENOUGH * goes, rounded):
             directions = min(directions, number)
             if force.world is None:
                 break
-        elif not little and directions <= number < MOST_LOOKS and change < before:
-            directions = number + 1
+        elif tells and number >= directions and left > max(_LITTLE * _LITTLE * goes, rounded):
+            directions = number + 1 if number < _MOST and change < _ASTRAY * _ASTRAY * before else directions
             looks = max(looks, directions)
         before = change
     level(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, known, work, lanes)
@@ -224,6 +235,7 @@ def closed_step(
                 local_damping,
                 extra_damping,
                 T,
+                -1,
                 work,
                 ledger,
                 tolerance,
@@ -265,8 +277,8 @@ def closed_step(
                 level_groups(op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes)
         attempt += 1
     weighed = work.weighed
-    exact = abs(weighed[TARGET] - weighed[HAVE]) <= max(weighed[NOISE], weighed[ROUGH])
-    ledger[SHORTENED] = 0.0 if exact and not refused else max(1.0 - shortest(force.parts, length), 0.0)
+    rounded = abs(weighed[TARGET] - weighed[HAVE]) <= max(weighed[NOISE], weighed[ROUGH])
+    ledger[SHORTENED] = 0.0 if rounded and not refused else max(1.0 - shortest(force.parts, length), 0.0)
 
 
 @block

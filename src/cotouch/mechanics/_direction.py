@@ -1,6 +1,7 @@
 """Where a closed step goes: looks ahead by the true mean force, each corrected by the constant matrix."""
 
 from cotouch.arrays import Float
+from cotouch.mechanics._direction_combined import combine_looks
 from cotouch.mechanics._direction_missing import (
     add_momentum,
     hold_ports,
@@ -44,26 +45,33 @@ def direct(
     local_damping: Float,
     extra_damping: Float,
     T: float,
+    number: int,
     work: Workspace,
     ledger: Float,
     tolerance: float,
     cap: int,
     lanes: tuple[int, ...],
-) -> tuple[float, float]:
+) -> tuple[float, float, float]:
     """Corrects v̂ by what it misses of the forces where it leads, by `predict`; a coarse solve is enough for that.
 
     What of the momentum of these forces the solve leaves is given to the body as a whole, so that all of it arrives; of
-    a single body so is their angular momentum.
+    a single body so is their angular momentum, and its looks at a step are combined; `number` says how many were taken,
+    negative: it is none of these.
 
     Returns:
         Squares of the correction, and of the end velocity about the centre of mass, in the norm of M: it is of this
-        that the closure takes. Of what no matrix couples, 1 and 0, which say nothing.
+        that the closure takes; and the power that was missing before, which it would have made up for. Of what no
+        matrix couples, 1 and 0, which say nothing.
     """
     ask(op, force, state, links, ports, local_damping, extra_damping, T, work, lanes)
     if op.entries.shape[0] == 0:
         ledger[ITERATIONS] += solve_step(op, ports, work, tolerance, 0, cap, lanes)
-        return 1.0, 0.0
-    return _corrected(op, force, state, ports, T, 0.0, True, work, ledger, tolerance, cap, lanes)
+        return 1.0, 0.0, 0.0
+    missed = 0.0
+    if number >= 0 and force.parts is None and work.dense.shape[0] == 0:
+        missed = combine_looks(state, T, number, work, lanes)
+    change, moving = _corrected(op, force, state, ports, T, 0.0, True, work, ledger, tolerance, cap, lanes)
+    return change, moving, missed
 
 
 @part

@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Float, Int
+from cotouch.arrays import Float, Int, Long
 from cotouch.body import Body, CutSkin, cut_skin
 from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics._meeting import Between
@@ -16,6 +16,7 @@ from cotouch.mechanics._shape import NUMBERS, packed
 from cotouch.mechanics._shape_solid import Solid
 from cotouch.mechanics._state import numbered
 from cotouch.mechanics._tool_bodies import copies_of, rigid_rows
+from cotouch.mechanics._tool_walls import Walls, spans_of, walls_of
 from cotouch.mechanics._world import Obstacle, World, solids_of
 
 Corners: TypeAlias = npt.NDArray[np.int64]
@@ -24,6 +25,8 @@ Corners: TypeAlias = npt.NDArray[np.int64]
 _APART, MOST_POINTS = 0.5, 100_000
 # Of the thinnest body so many times that: bodies' own edges are met by the other's faces as well.
 _BODY = 2.0
+# A body whose skin is less than so many times that of a long, round tool meets its wall by points of its own.
+_OWN = 1.5
 # Points lie so far within the triangles that they stand for, as a share of each: what stands on its edge is not felt by
 # the walls above it. Triangles whose normals differ by less than this cosine are one side.
 _WITHIN, _ALIKE = 0.025, 0.8
@@ -70,7 +73,17 @@ def world_of(
     faces = cut_skin(body) if body.cut_count else None
     skin = body.skin if faces is None else faces.skin
     weight = sp.csr_array(skin.interpolation(body.nodes))
-    places, area, carry, parted = _points(skin.vertices, skin.triangles, weight, faces, thinnest)
+    every: Long = np.arange(skin.triangles.shape[0], dtype=np.int64)
+    if between is None:
+        places, area, carry, parted = _points(skin.vertices, skin.triangles, weight, faces, thinnest, every)
+    else:
+        walls = walls_of(body, faces, _APART * thinnest.share * thinnest.size)
+        groups = [(every, thinnest)] if not walls.tools else _apart(body, walls, faces, thinnest)
+        found = [_points(skin.vertices, skin.triangles, weight, faces, thin, own) for own, thin in groups if own.size]
+        places = np.concatenate([*(one[0] for one in found), walls.places])
+        area = np.concatenate([*(one[1] for one in found), walls.area])
+        carry = sp.csr_array(sp.vstack([*(one[2] for one in found), walls.carry]))
+        parted = sp.csr_array(sp.vstack([*(one[3] for one in found), walls.part_of[:, : found[0][3].shape[1]]]))
     of, moves = np.zeros(places.shape[0], dtype=np.int32), places.shape[0]
     if between is not None:  # point after point of each body
         of = part_of_nodes(body)[carry.indices[carry.indptr[:-1]]]
@@ -81,7 +94,8 @@ def world_of(
         carry, parted = sp.csr_array(carry[sort]), sp.csr_array(parted[sort])
     for number, solid in enumerate(still, start=len(body.parts)):
         bare = sp.csr_array((solid.vertices.shape[0], body.nodes))
-        more, beside, _, _ = _points(solid.vertices, solid.triangles, bare, None, thinnest)
+        all_of: Long = np.arange(solid.triangles.shape[0], dtype=np.int64)
+        more, beside, _, _ = _points(solid.vertices, solid.triangles, bare, None, thinnest, all_of)
         places, area = np.concatenate([places, more]), np.concatenate([area, beside])
         carry, parted = _with_empty(carry, more.shape[0]), _with_empty(parted, more.shape[0])
         of = np.append(of, np.full(more.shape[0], number, dtype=np.int32))
@@ -153,10 +167,29 @@ def _with_empty(matrix: sp.csr_array, rows: int) -> sp.csr_array:
     return sp.csr_array(sp.vstack([matrix, sp.csr_array((rows, int(matrix.shape[1])))]))
 
 
+def _apart(body: Body, walls: Walls, faces: CutSkin | None, thinnest: _Thin) -> list[tuple[Long, _Thin]]:
+    """Triangles of each body that no wall of a long, round tool has, and what is thinnest to it."""
+    spans, parts = spans_of(body, faces), body.parts
+    corners = [part.skin().vertices[part.skin().triangles] for part in parts]
+    area = [float(np.linalg.norm(np.cross(c[:, 1] - c[:, 0], c[:, 2] - c[:, 0]), axis=1).sum()) for c in corners]
+    groups: list[tuple[Long, _Thin]] = []
+    for number in range(len(parts)):
+        thin = [
+            _Thin(thick, parts[tool].name, 1.0)
+            for tool, thick in walls.tools.items()
+            if tool != number and area[number] < _OWN * area[tool]
+        ]
+        own = walls.left[(walls.left >= spans[number]) & (walls.left < spans[number + 1])]
+        groups.append((own, min([thinnest, *thin], key=lambda one: one.share * one.size)))
+    return groups
+
+
 def _points(
-    vertices: Float, triangles: Int, carry: sp.csr_array, faces: CutSkin | None, thinnest: _Thin
+    vertices: Float, triangles: Int, carry: sp.csr_array, faces: CutSkin | None, thinnest: _Thin, origin: Corners
 ) -> tuple[Float, Float, sp.csr_array, sp.csr_array]:
     """Vertices of a skin, its triangles halved until no obstacle fits between: places, areas, and what carries them.
+
+    Of the triangles with the numbers `origin` only.
 
     Of what can be cut also what share of each point each triangle of the skin makes, (P, F). There only what comes and
     goes together shares a point: what is cut away flies anywhere, and would take the point along.
@@ -164,8 +197,7 @@ def _points(
     Raises:
         BodyError: there would be too many.
     """
-    corners, places = np.asarray(triangles, dtype=np.int64), np.asarray(vertices, dtype=np.float64)[:, :3]
-    origin: Corners = np.arange(corners.shape[0], dtype=np.int64)
+    corners, places = np.asarray(triangles, dtype=np.int64)[origin], np.asarray(vertices, dtype=np.float64)[:, :3]
     longest = float(np.linalg.norm(places[corners] - places[np.roll(corners, -1, axis=1)], axis=2).max())
     apart = _APART * thinnest.share * thinnest.size
     while longest > apart:
