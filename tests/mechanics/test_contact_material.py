@@ -95,6 +95,34 @@ def test_what_is_pressed_at_rest_closes() -> None:
     assert copy.residual <= 5e-15 * copy.in_play
 
 
+def test_friction_that_sticks_is_stretched_by_what_tool_and_skin_moved() -> None:
+    """Not by where they were thought to go a look before: its pull times the difference is work of no force."""
+    copy = Pressed(made("cells", viscosity=2e-3, ground="z-", hold=300.0, gravity=(0.0, 0.0, -9.81)))
+    tools, touch, start = copy.tools, copy.contact.work, np.array([0.013, 0.009, 2.0 * SPACING + 0.0085])
+    tools.radius[:], tools.friction[:], tools.kinetic[:] = 0.008, 0.6, 0.6
+    tools.place[0, :3] = end = start
+    copy.begin()
+    stuck = 0
+    for n in range(400):
+        was, end = end, start + np.array([2e-5 * max(n - 250, 0), 0.0, -2e-5 * min(n, 250)])
+        stretch, place, skin = tools.stretch[0, :3].copy(), tools.place[0, :3].copy(), copy.skin_place()
+        copy.lead(was, end)
+        copy.step(2e-3)
+        if n < 250 or tools.slipping[0]:
+            continue
+        hits = touch.hit[0, : touch.hits[0]]
+        corner = copy.surface.corner[touch.near[0, hits]]
+        moved = copy.skin_place()[corner] - skin[corner]
+        against = tools.place[0, :3] - place - np.einsum("cq,cqa->a", touch.load[hits, :3], moved) / touch.total[0]
+        across = np.eye(3) - np.outer(touch.way[0, :3], touch.way[0, :3])
+        turned = across @ stretch
+        turned *= np.linalg.norm(stretch) / np.linalg.norm(turned)
+        off = np.linalg.norm(tools.stretch[0, :3] - turned - across @ against)
+        assert off <= 1e-14
+        stuck += 1
+    assert stuck > 100
+
+
 def test_a_grasp_that_pulls_within_long_steps_makes_no_energy() -> None:
     """Where looks lead so far that energies overflow, the rounding of these is no reason to call a step closed."""
     copy = Pressed(made("neo-hookean", viscosity=2e-4, ground="z-", hold=300.0, gravity=(0.0, 0.0, -9.81)))

@@ -16,7 +16,7 @@ from cotouch.mechanics._contact_catch import begin_catch, catch
 from cotouch.mechanics._contact_centre import JAMMED, lose_motion
 from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_rows, tell
 from cotouch.mechanics._contact_outside import begin_tool, feel_first
-from cotouch.mechanics._contact_press import feel_tool
+from cotouch.mechanics._contact_press import feel_tool, read_skin
 from cotouch.mechanics._contact_settled import changed, settled
 from cotouch.mechanics._contact_skin import fastest, load_rows, look_around, read_rates
 from cotouch.mechanics._contact_snap import begin_snap, end_snap, owed_drag
@@ -177,7 +177,8 @@ def contact_step(
             break
     for t in range(tools.mode.shape[0]):
         if look and tools.mode[t] == TOUCH:
-            _follow(surface, touch, tools, t, T, state, mean, lanes)
+            if _follow(surface, touch, tools, t, T, state, mean, lanes):
+                read_skin(surface, touch, t)  # friction is stretched by where the last correction leads
         elif tools.mode[t] == GRASP:
             feel_grasp(surface, touch, tools, t, T, state.position, mean, work.diagonal, False, lanes)
     tell(touch, modal, lanes)
@@ -307,13 +308,19 @@ def _follow(
     state: State,
     mean: Float,
     lanes: tuple[int, ...],
-) -> None:
-    """Reads how fast the skin near one tool moves by the present guess; what it may come to is near, too."""
+) -> bool:
+    """Reads how fast the skin near one tool moves by the present guess; what it may come to is near, too.
+
+    Returns:
+        Whether what was near is in its place, so that what the last look gathered still says where the tool presses.
+    """
     travel = _reach(surface, tools, t) + _length(tools.axis, t) + 1.25 * T * (touch.quick[0] + _length(touch.mean, t))
-    if travel > touch.seen[t]:  # faster than it was thought to be
+    same = not travel > touch.seen[t]
+    if not same:  # faster than it was thought to be
         touch.seen[t] = 1.5 * travel
         look_around(surface, touch, tools, t, touch.seen[t], state.position, lanes)
     read_rates(surface, touch, t, mean, lanes)
+    return same
 
 
 @part
