@@ -122,7 +122,7 @@ def closed_step(
     for i in range(op.mass.shape[0]):
         store(work.mean, i, load(state.velocity, i, lanes), lanes)
     directions, before, alone = looks_ahead(state.memory, force.directions, force.cut), 0.0, force.parts is None
-    tells = alone and op.entries.shape[0] > 0
+    tells = op.entries.shape[0] > 0
     known, number, looks = False, 0, looks_of(force.world, directions, work.dense.shape[0] > 0)
     rough = _ROUNDED * op.firmness * (force.grain + 2.0 * math.sqrt(2.0 * force.grain * abs(state.memory[ENERGY])))
     while number < looks:
@@ -151,7 +151,7 @@ def closed_step(
         power = 0.5 * T * missed / op.copy_scale
         left = max(change * moving, power * power) * max(change, _SLOWEST * _SLOWEST * before)
         goes, rounded = before * moving * moving, before * rough * rough
-        if number > 1 and tells and left <= max(ENOUGH * ENOUGH * goes, rounded):
+        if number > 1 and alone and tells and left <= max(ENOUGH * ENOUGH * goes, rounded):
             directions = min(directions, number)
             if force.world is None:
                 break

@@ -85,3 +85,12 @@ def combine_looks(state: State, T: float, number: int, work: Workspace, lanes: t
         store(work.rhs, i, missing, lanes)
         store(work.ahead, i, load(state.position, i, lanes) + T * rate, lanes)
     return total(power)
+
+
+@part
+def missing_power(work: Workspace, lanes: tuple[int, ...]) -> float:
+    """What `combine_looks` returns, of looks that are not combined."""
+    power = splat(0.0, lanes)
+    for i in range(work.mean.shape[0]):
+        power = power + load(work.mean, i, lanes) * load(work.rhs, i, lanes)
+    return total(power)
