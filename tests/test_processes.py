@@ -21,7 +21,8 @@ from cotouch.processes import start_child
 start_child([sys.executable, "-c", sys.argv[1], *sys.argv[2:]])
 time.sleep(600)
 """
-# Leaves in order: it has time to write a word.
+# Leaves in order: it has time to write a word. It sleeps for moments only: a signal that arrives between Python's last
+# look for one and a sleep is seen after the sleep.
 ORDERLY = """
 import signal, sys, time
 from pathlib import Path
@@ -29,24 +30,25 @@ from cotouch.processes import tie_to_parent
 signal.signal(signal.SIGTERM, lambda *_: (Path(sys.argv[1], "left").touch(), sys.exit()))
 tie_to_parent()
 Path(sys.argv[1], "there").touch()
-time.sleep(600)
+while True:
+    time.sleep(0.01)
 """
 # Only asks and stays; by its clock, patience is over once it has been asked: a busy machine may take its time.
 STUBBORN = """
-import os, signal, sys, time
+import itertools, os, signal, sys, time
 from pathlib import Path
 from cotouch import processes
-asked = Path(sys.argv[1], "asked")
+asked, looks = Path(sys.argv[1], "asked"), itertools.count()
 class Clock:
     sleep = time.sleep
-    monotonic = staticmethod(lambda: 1e3 * asked.exists())
+    monotonic = staticmethod(lambda: 1e3 * next(looks) if asked.exists() else 0.0)
 processes.time = Clock
 signal.signal(signal.SIGTERM, lambda *_: asked.touch())
 processes.tie_to_parent()
 Path(sys.argv[1], "pid").write_text(str(os.getpid()))
 Path(sys.argv[1], "there").touch()
 while True:
-    time.sleep(600)
+    time.sleep(0.01)
 """
 
 KILLED = """
