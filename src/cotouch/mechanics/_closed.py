@@ -42,6 +42,7 @@ from cotouch.mechanics._balance_length import (
 from cotouch.mechanics._balance_parts import close_all, free_parts, keep_parts
 from cotouch.mechanics._direction import begin_looks, direct, level, predict
 from cotouch.mechanics._direction_groups import level_groups
+from cotouch.mechanics._direction_more import LITTLE, SLOWEST, rough
 from cotouch.mechanics._direction_search import FIRST_LOOKS, LOOKS, begin_search, best_again, search
 from cotouch.mechanics._force import BodyForce, evaluate
 from cotouch.mechanics._force_call import call_begin
@@ -68,12 +69,9 @@ from cotouch.mechanics._world_force import looks_of, settle_world, take_up
 _MANY = 60
 # What the next look would change, of the end velocity about the centre of mass, for which it is not taken.
 ENOUGH = 2e-4
-# Where it might change more than this, if a look leaves no less than that share, more than the usual number are taken,
-# up to so many: the first finds what the matrix knows well, so the second says too little of what it leaves. Not where
-# the last changed more than twice as much as the one before: such looks go astray.
-_LITTLE, _SLOWEST, _MOST, _ASTRAY = 5e-4, 0.1, 24, 2.0
-# No more are taken for less than this share of what rounding of places does to the energy of a strained body.
-_ROUNDED = 0.1
+# Where it might change more than `LITTLE`, more than the usual number are taken, up to so many. Not where the last
+# changed more than twice as much as the one before: such looks go astray.
+_MOST, _ASTRAY = 24, 2.0
 # A step whose end velocity is changed by more than this is told: its forces and its energy disagree.
 CLOSURE_ALARM = 1e-2
 
@@ -124,7 +122,7 @@ def closed_step(
     directions, before, alone = looks_ahead(state.memory, force.directions, force.cut), 0.0, force.parts is None
     tells = op.entries.shape[0] > 0
     known, number, looks = False, 0, looks_of(force.world, directions, work.dense.shape[0] > 0)
-    rough = _ROUNDED * op.firmness * (force.grain + 2.0 * math.sqrt(2.0 * force.grain * abs(state.memory[ENERGY])))
+    least_told = rough(op, force, state)
     while number < looks:
         known = predict(op, force, state, T, False, work, lanes) and number >= directions
         if known:
@@ -149,13 +147,13 @@ def closed_step(
         # Each look leaves about that share of the last one's change by which that was smaller than the one before, and
         # of the power that v̂ misses, which the closure would give.
         power = 0.5 * T * missed / op.copy_scale
-        left = max(change * moving, power * power) * max(change, _SLOWEST * _SLOWEST * before)
-        goes, rounded = before * moving * moving, before * rough * rough
+        left = max(change * moving, power * power) * max(change, SLOWEST * SLOWEST * before)
+        goes, rounded = before * moving * moving, before * least_told * least_told
         if number > 1 and alone and tells and left <= max(ENOUGH * ENOUGH * goes, rounded):
             directions = min(directions, number)
             if force.world is None:
                 break
-        elif tells and number >= directions and left > max(_LITTLE * _LITTLE * goes, rounded):
+        elif tells and number >= directions and left > max(LITTLE * LITTLE * goes, rounded):
             directions = number + 1 if number < _MOST and change < _ASTRAY * _ASTRAY * before else directions
             looks = max(looks, directions)
         before = change

@@ -13,7 +13,7 @@ MOST_LOOKS = 10
 # What the next look would change, of the end velocity about the centre of mass, for which it is not taken; a look is
 # taken to leave no less than that share of the one before: the first finds what the matrix knows well, so the second
 # says too little of what it leaves.
-_LITTLE, _SLOWEST = 5e-4, 0.1
+LITTLE, SLOWEST = 5e-4, 0.1
 # No more are taken for less than this share of what rounding of places does to the energy of a strained body.
 _ROUNDED = 0.1
 
@@ -36,5 +36,5 @@ def leaves_little(change: float, before: float, moving: float, rounded: float) -
         moving: of the end velocity about the centre of mass.
         rounded: see `rough`.
     """
-    left = change * max(change, _SLOWEST * _SLOWEST * before) * moving
-    return left <= before * max(_LITTLE * _LITTLE * moving * moving, rounded * rounded)
+    left = change * max(change, SLOWEST * SLOWEST * before) * moving
+    return left <= before * max(LITTLE * LITTLE * moving * moving, rounded * rounded)

@@ -71,8 +71,8 @@ def make_ready(kind: Any, *functions: Any) -> None:
 
 def _address(function: Any, takes: tuple[Any, ...]) -> int:
     function.compile(takes)
-    made = function.overloads[takes]
-    address: int = made.library.get_pointer_to_function(made.fndesc.llvm_func_name)
+    made = function.overloads[takes]._asdict()
+    address: int = made["library"].get_pointer_to_function(made["fndesc"].llvm_func_name)
     if not address:
         raise TypeError(f"{function.__name__} has no machine code of its own: compile it as `outlined`")
     return address
