@@ -181,6 +181,7 @@ class MemoryControl:
     Attributes:
         offered: files that others may fetch, by their hash.
         identity: of this member.
+        dropped: what was thrown away, by reason.
     """
 
     def __init__(
@@ -193,6 +194,7 @@ class MemoryControl:
         self._reader = MessageReader(identity.public, network.session)
         self._presence = Presence(identity, network.session, np.random.default_rng(seed).bytes, window=network.window)
         self._shunned = frozenset[bytes]()
+        self.dropped = Counter[str]()
         self._inbox: list[tuple[float, int, bytes, bytes, bool]] = []
         self._received = list[Message]()
         self._relayed: list[tuple[float, int, Relayed]] = []
@@ -279,8 +281,11 @@ class MemoryControl:
             if beat:
                 self._presence.receive(raw, time)
                 continue
+            if raw[4:36] in self._shunned:
+                self.dropped["shunned"] += 1
+                continue
             read = self._reader.read(raw, time)
-            if isinstance(read, Message) and read.sender not in self._shunned:
+            if isinstance(read, Message):
                 self._received.append(read)
         if self._presence.wait(now) == 0.0:
             self._beat(now)
