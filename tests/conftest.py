@@ -11,7 +11,7 @@ import pytest
 from _pytest.runner import runtestprotocol
 from hypothesis import HealthCheck, settings
 
-# Circles of references are looked for seldom: in what is loaded there are few, and looking took a seventh of collecting.
+# There are few circles of references in what is loaded, and to look for them took a seventh of collecting.
 gc.set_threshold(50_000)
 # Before numpy is loaded: the workers of one run must not fight for cores, and sums then have one order everywhere.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
