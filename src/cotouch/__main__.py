@@ -1,7 +1,6 @@
 """`python -m cotouch` is `cotouch`, and how members of a session are started."""
 
 # What takes time to load is loaded where Ctrl-C is heeded.
-import gc
 import os
 import sys
 
@@ -42,8 +41,10 @@ def _code() -> int:
 
 def run() -> "NoReturn":
     """Runs the command and ends the process without taking Python down; also what is installed as `cotouch`."""
-    gc.set_threshold(_OBJECTS)
     try:
+        import gc
+
+        gc.set_threshold(_OBJECTS)
         from cotouch.processes import tie_to_parent
 
         tie_to_parent()
