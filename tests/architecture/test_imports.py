@@ -189,6 +189,14 @@ def test_the_package_itself_loads_nothing_heavy():
     assert done.stdout.strip() == "[]"
 
 
+def test_a_member_loads_nothing_heavy_that_it_does_not_need():
+    """Every user waits for it."""
+    heavy = {"scipy.optimize", "scipy.spatial", "scipy.stats", "xarray", "pandas", "matplotlib", "h5py"}
+    program = f"import sys, cotouch.session; print(sorted({heavy!r} & set(sys.modules)))"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=True)
+    assert done.stdout.strip() == "[]"
+
+
 def test_no_file_is_longer_than_one_reads() -> None:
     longest = {str(path.relative_to(ROOT)): len(path.read_text().splitlines()) for path in PACKAGE.rglob("*.py")}
     assert {name: lines for name, lines in longest.items() if lines > 400} == {}

@@ -292,7 +292,7 @@ class Search:
             springs: of the links, in their order, (E,) [N/m].
             region: farthest that a spring may go, in logarithms, > 0.
         """
-        from scipy.optimize import linprog  # takes a fifth of a second, of which a member needs none
+        from scipy.optimize import linprog  # takes a tenth of a second, and no member needs it
 
         size = len(springs)
         below = np.maximum(np.expm1(-region), np.minimum(self.low / springs - 1.0, 0.0))
