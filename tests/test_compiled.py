@@ -18,13 +18,14 @@ from typing import Any
 import numba
 import pytest
 from numba.core.compiler import Flags
+from numba.core.cpu import CPUContext
 from numba.core.dispatcher import Dispatcher
 from numba.extending import overload
 
 import cotouch
 from cotouch import compiled as machine
 from cotouch import stamps as sources
-from cotouch.mechanics import settle, step
+from cotouch.mechanics import credit, settle, step
 from cotouch.network import rightmost
 
 PACKAGE = Path(str(cotouch.__file__)).parent
@@ -82,7 +83,7 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Generator[Path
 
 def forget() -> None:
     """Sources are read once in a process."""
-    for function in (sources._file_of, sources._read, sources._imported, sources.stamp_of):
+    for function in (sources._file_of, sources._read, sources._digest, sources._imported, sources.stamp_of):
         function.cache_clear()
 
 
@@ -168,8 +169,7 @@ def test_cold_is_what_neither_memory_nor_disk_holds(tmp_path: Path, monkeypatch:
     assert not machine.cold(once)
     assert not machine.cold(fresh()), "the disk holds it"
     path.write_text(path.read_text() + "# Changed.\n")
-    sources._read.cache_clear()
-    sources.stamp_of.cache_clear()
+    forget()
     assert machine.cold(fresh()), "its source has changed"
     assert not machine.cold(len)
 
@@ -198,6 +198,25 @@ def kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], bool]:
         return sum(double.stats.cache_hits.values()) == 1
 
     return run
+
+
+def test_our_own_is_loaded_without_what_numba_compiles_with(kept: Callable[[], bool], monkeypatch: pytest.MonkeyPatch):
+    """Others' machine code may need symbols that come with it."""
+    compiled: Any = credit
+    balance = compiled(2.0, 1.0)
+    assert not kept()
+    read: list[object] = []
+
+    def refresh(context: object) -> None:
+        read.append(context)
+
+    monkeypatch.setattr(CPUContext, "refresh", refresh)
+    again: Any = machine.routine(compiled.py_func)
+    assert again(2.0, 1.0) == balance
+    assert sum(again.stats.cache_hits.values()) == 1
+    assert read == []
+    assert kept()
+    assert read != []
 
 
 def test_without_a_folder_that_can_be_written_kernels_run_and_say_so(

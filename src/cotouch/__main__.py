@@ -13,6 +13,8 @@ _TIDY = 1.0
 _INTERRUPTED = 130
 # Whoever started this process says what a Ctrl-C at both of them did.
 _SAID = "" if "COTOUCH_PARENT" in os.environ else "cotouch: interrupted\n"
+# How many objects more than before are looked through for circles of references; what is loaded stays anyway.
+_OBJECTS = 50_000
 
 
 def _code() -> int:
@@ -40,6 +42,9 @@ def _code() -> int:
 def run() -> "NoReturn":
     """Runs the command and ends the process without taking Python down; also what is installed as `cotouch`."""
     try:
+        import gc
+
+        gc.set_threshold(_OBJECTS)
         from cotouch.processes import tie_to_parent
 
         tie_to_parent()

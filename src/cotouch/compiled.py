@@ -18,6 +18,7 @@ import numba
 from llvmlite import binding
 from numba.core import types
 from numba.core.caching import CompileResultCacheImpl, FunctionCache, IndexDataCacheFile, NullCache
+from numba.core.runtime.nrt import rtsys
 from numba.extending import intrinsic as numba_intrinsic
 
 from cotouch.stamps import stamp_of
@@ -29,6 +30,7 @@ except ImportError:  # no Unix: each process compiles for itself
     fcntl = None
 
 F = TypeVar("F", bound=Callable[..., Any])
+_PACKAGE = Path(__file__).parent
 
 
 def intrinsic(generator: Any) -> Any:
@@ -228,6 +230,14 @@ class _Cache(FunctionCache):
         impl: Any = self._impl
         self._cache_file = _Files(self.cache_path, impl.filename_base, impl.locator.get_source_stamp())
         self._turn: list[Any] = []
+        self._own = _PACKAGE in Path(function.__code__.co_filename).parents
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        if not self._own:
+            return super().load_overload(sig, target_context)
+        # Numba would read in all that it compiles with, as its compiler does anyway. Our machine code calls none of it.
+        rtsys.initialize(target_context)
+        return self._load_overload(sig, target_context)
 
     def _load_overload(self, sig: Any, target_context: Any) -> Any:
         found = self._loaded(sig, target_context)

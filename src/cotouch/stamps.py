@@ -32,6 +32,14 @@ def _read(path: Path) -> tuple[bytes, dict[str, str]]:
 
 
 @functools.cache
+def _digest(path: Path) -> bytes:
+    """Of a source and its name."""
+    source = _read(path)[0]
+    name = path.relative_to(_PACKAGE).as_posix() if _PACKAGE in path.parents else path.name
+    return hashlib.blake2b(f"{name}\n".encode() + source, digest_size=16).digest()
+
+
+@functools.cache
 def _imported(path: Path) -> frozenset[Path]:
     """Files from which one imports something. A room only hands names on: what counts is where they come from."""
     found: set[Path] = set()
@@ -39,7 +47,9 @@ def _imported(path: Path) -> frozenset[Path]:
         name = whole
         while True:
             module, _, last = name.rpartition(".")
-            file = _file_of(name) or _file_of(module)
+            file = _file_of(module) if module else _file_of(name)
+            if file is not None and file.name == "__init__.py":
+                file = _file_of(name) or file
             if file is None:
                 break
             if file.name != "__init__.py":
@@ -53,23 +63,19 @@ def _imported(path: Path) -> frozenset[Path]:
     return frozenset(found)
 
 
-def _sources(path: Path) -> list[Path]:
+def _sources(path: Path) -> set[Path]:
     """Files whose content decides what the kernels of one are compiled to: those that it imports, and they in turn."""
     found, new = {path, *(_PACKAGE / f"{name}.py" for name in ("compiled", "passing", "translation"))}, [path]
     while new:
         more = _imported(new.pop()) - found
         found |= more
         new.extend(more)
-    return sorted(found)
+    return found
 
 
 @functools.cache
 def stamp_of(path: Path) -> tuple[str, int]:
     """Of what a file's kernels are made of: by content, so that neither a checkout nor a copy compiles them anew."""
-    digest, size = hashlib.blake2b(digest_size=16), 0
-    for file in _sources(path):
-        source = _read(file)[0]
-        size += len(source)
-        name = file.relative_to(_PACKAGE).as_posix() if _PACKAGE in file.parents else file.name
-        digest.update(f"{name} {len(source)}\n".encode() + source)
-    return digest.hexdigest(), size
+    sources = _sources(path)
+    digest = hashlib.blake2b(b"".join(sorted(map(_digest, sources))), digest_size=16)
+    return digest.hexdigest(), sum(len(_read(file)[0]) for file in sources)

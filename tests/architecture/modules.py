@@ -3,8 +3,8 @@
 import ast
 from functools import cache
 from importlib import import_module
+from itertools import groupby
 from pathlib import Path
-from pkgutil import walk_packages
 from types import ModuleType
 
 import cotouch
@@ -14,11 +14,21 @@ ROOT = PACKAGE.parent.parent
 
 
 def _names() -> list[str]:
-    found = walk_packages([str(PACKAGE)], "cotouch.")
-    return ["cotouch", *sorted(module.name for module in found)]
+    found = (path.relative_to(PACKAGE.parent).with_suffix("") for path in PACKAGE.rglob("*.py"))
+    return sorted(".".join(path.parts).removesuffix(".__init__") for path in found)
 
 
 NAMES = _names()
+
+
+def room_of(name: str) -> str:
+    """The room of a module; of the package itself `cotouch`."""
+    return ".".join(name.split(".")[:2])
+
+
+# A test for each room and not for each module: whoever shares the tests collects them all, and loads nothing for it.
+ROOMS = {room: list(names) for room, names in groupby(NAMES, room_of)}
+PACKAGES = [name for name in NAMES if PACKAGE.joinpath(*name.split(".")[1:]).is_dir()]
 
 
 def loaded(name: str) -> ModuleType:

@@ -4,12 +4,13 @@ import ast
 import subprocess
 import sys
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
 from importlinter.cli import lint_imports
-from tests.architecture.modules import NAMES, PACKAGE, ROOT, loaded, parsed
+from tests.architecture.modules import NAMES, PACKAGE, ROOMS, ROOT, loaded, parsed
 
 # Rooms that may know the outside world (two only its files), and the package itself, which only forwards names.
 WORLDS = tuple(
@@ -41,7 +42,7 @@ WORLDS = tuple(
     )
 )
 AMBIENT = {"time", "random", "secrets", "datetime", "asyncio", "socket", "threading", "os", "uuid"}
-PURE = [name for name in NAMES if not name.startswith(WORLDS)]
+PURE = [room for room in ROOMS if not room.startswith(WORLDS)]
 
 
 # Who tests a room from outside with what it does not show: what a liar says, mostly.
@@ -53,9 +54,15 @@ INSIDERS = {
 }
 
 
-def private_imports(tree: ast.AST) -> Iterator[tuple[str, str, str]]:
+@cache
+def imports_of_test(path: Path) -> list[ast.AST]:
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    return [node for node in ast.walk(tree) if isinstance(node, ast.Import | ast.ImportFrom)]
+
+
+def private_imports(nodes: Iterable[ast.AST]) -> Iterator[tuple[str, str, str]]:
     """Room, module and name of everything that is imported from a room other than by what it shows."""
-    for node in ast.walk(tree):
+    for node in nodes:
         entries: list[tuple[str, str]] = []
         if isinstance(node, ast.Import):
             entries = [(alias.name, "") for alias in node.names]
@@ -69,9 +76,9 @@ def private_imports(tree: ast.AST) -> Iterator[tuple[str, str, str]]:
                 yield room, module, name
 
 
-def of_other_tests(tree: ast.AST) -> Iterator[str]:
+def of_other_tests(nodes: Iterable[ast.AST]) -> Iterator[str]:
     """Rooms whose tests' `inside.py` is imported, which hands on what is private there."""
-    for node in ast.walk(tree):
+    for node in nodes:
         if isinstance(node, ast.ImportFrom) and node.module is not None:
             package, _, rest = node.module.partition(".")
             if package == "tests" and rest.endswith(".inside"):
@@ -115,38 +122,38 @@ def test_every_room_has_a_floor():
     assert rooms <= placed
 
 
-@pytest.mark.parametrize("name", PURE)
-def test_no_clock_entropy_or_environment_below_the_worlds(name: str):
+@pytest.mark.parametrize("room", PURE)
+def test_no_clock_entropy_or_environment_below_the_worlds(room: str):
     """Also inside functions, where the linter's graph may not look for external modules."""
-    for node in ast.walk(parsed(name)):
+    for name, node in ((module, node) for module in ROOMS[room] for node in ast.walk(parsed(module))):
         if isinstance(node, ast.Import):
-            assert not {alias.name.split(".")[0] for alias in node.names} & AMBIENT
+            assert not {alias.name.split(".")[0] for alias in node.names} & AMBIENT, name
         elif isinstance(node, ast.ImportFrom):
-            assert (node.module or "").split(".")[0] not in AMBIENT
-            assert node.level == 0
+            assert (node.module or "").split(".")[0] not in AMBIENT, name
+            assert node.level == 0, name
         elif isinstance(node, ast.Attribute) and isinstance(node.value, ast.Attribute) and node.value.attr == "random":
             # np.random.rand and its kind draw from a hidden state; generators handed in, or made of a seed, are fine.
-            assert node.attr in {"Generator", "SeedSequence", "BitGenerator", "default_rng"}
+            assert node.attr in {"Generator", "SeedSequence", "BitGenerator", "default_rng"}, name
         elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "default_rng":
-            assert node.args
+            assert node.args, name
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_no_room_reaches_into_another(name: str) -> None:
+@pytest.mark.parametrize("room", ROOMS)
+def test_no_room_reaches_into_another(room: str) -> None:
     """Nor does a room's own list of names forward what is private elsewhere."""
-    room = name.split(".")[1] if "." in name else ""
-    assert [(module, entry) for other, module, entry in private_imports(parsed(name)) if other != room] == []
+    found = [(name, *entry) for name in ROOMS[room] for entry in private_imports(ast.walk(parsed(name)))]
+    assert [entry for entry in found if f"cotouch.{entry[1]}" != room] == []
 
 
 def test_tests_see_of_other_rooms_what_they_show() -> None:
     insiders: dict[str, set[str]] = {}
     needless: list[tuple[str, str, str]] = []
     for path in sorted((ROOT / "tests").rglob("*.py")):
-        place, tree = path.relative_to(ROOT / "tests"), ast.parse(path.read_text(encoding="utf-8"))
-        for room in of_other_tests(tree):
+        place, nodes = path.relative_to(ROOT / "tests"), imports_of_test(path)
+        for room in of_other_tests(nodes):
             if place.parts[0] != room:
                 insiders.setdefault(place.as_posix(), set()).add(room)
-        for room, module, entry in private_imports(tree):
+        for room, module, entry in private_imports(nodes):
             if place.parts[0] != room:
                 insiders.setdefault(place.as_posix(), set()).add(room)
             if not entry.startswith("_") and module.count(".") > 1 and entry in loaded(f"cotouch.{room}").__all__:
@@ -159,7 +166,7 @@ def test_one_file_of_a_rooms_tests_imports_what_is_private_there() -> None:
     """So one sees at once how much of the inside is tested, and whoever renames some of it edits one list."""
     found: dict[str, set[str]] = {}
     for path in (ROOT / "tests").rglob("*.py"):
-        if any(private_imports(ast.parse(path.read_text(encoding="utf-8")))):
+        if any(private_imports(imports_of_test(path))):
             place = path.relative_to(ROOT / "tests")
             found.setdefault(place.parts[0], set()).add(place.as_posix())
     assert {room: sorted(files) for room, files in found.items() if len(files) > 1} == {}
@@ -178,6 +185,14 @@ def test_the_package_itself_loads_nothing_heavy():
     program = (
         "import sys, cotouch; print(sorted({'numpy', 'scipy', 'numba', 'xarray', 'matplotlib'} & set(sys.modules)))"
     )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=True)
+    assert done.stdout.strip() == "[]"
+
+
+def test_a_member_loads_nothing_heavy_that_it_does_not_need():
+    """Every user waits for it."""
+    heavy = {"scipy.optimize", "scipy.spatial", "scipy.stats", "xarray", "pandas", "matplotlib", "h5py"}
+    program = f"import sys, cotouch.session; print(sorted({heavy!r} & set(sys.modules)))"
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=True)
     assert done.stdout.strip() == "[]"
 

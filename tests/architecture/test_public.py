@@ -4,20 +4,21 @@ import ast
 import inspect
 import re
 from enum import Enum
+from functools import cache
 from types import FunctionType
 from typing import get_origin, is_typeddict
 
 import pytest
-from tests.architecture.modules import NAMES, loaded, parsed
-
-WITH_EXPORTS = [name for name in NAMES if hasattr(loaded(name), "__all__")]
+from tests.architecture.modules import NAMES, PACKAGES, ROOMS, loaded, parsed
 
 
 def own_classes(name: str) -> list[type]:
     return [entry for entry in vars(loaded(name)).values() if inspect.isclass(entry) and entry.__module__ == name]
 
 
-CLASSES = [cls for name in NAMES for cls in own_classes(name)]
+@cache
+def all_classes() -> list[type]:
+    return [cls for name in NAMES for cls in own_classes(name)]
 
 
 def written_doc(thing: object) -> str:
@@ -26,26 +27,19 @@ def written_doc(thing: object) -> str:
     return "" if inspect.isclass(thing) and doc.startswith(f"{thing.__name__}(") else doc
 
 
-def skip_if_empty(name: str) -> None:
-    if not parsed(name).body:
-        pytest.skip(f"{name} is still empty")
+@pytest.mark.parametrize("room", ROOMS)
+def test_every_module_says_what_it_is(room: str):
+    assert [name for name in ROOMS[room] if not ast.get_docstring(parsed(name))] == []
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_every_module_says_what_it_is(name: str):
-    skip_if_empty(name)
-    assert ast.get_docstring(parsed(name)), f"{name} has no docstring"
-
-
-@pytest.mark.parametrize("name", [name for name in NAMES if hasattr(loaded(name), "__path__")])
+@pytest.mark.parametrize("name", PACKAGES)
 def test_every_room_says_what_it_exports(name: str):
-    skip_if_empty(name)
     exported = loaded(name).__all__
     assert len(exported) == len(set(exported))
     assert [entry for entry in exported if entry.startswith("_") and entry != "__version__"] == []
 
 
-@pytest.mark.parametrize("name", WITH_EXPORTS)
+@pytest.mark.parametrize("name", PACKAGES)
 def test_every_exported_name_exists_and_is_documented(name: str):
     module = loaded(name)
     for exported in module.__all__:
@@ -54,7 +48,7 @@ def test_every_exported_name_exists_and_is_documented(name: str):
             assert written_doc(thing), f"{name}.{exported} has no docstring"
 
 
-@pytest.mark.parametrize("name", [name for name in NAMES if hasattr(loaded(name), "__path__")])
+@pytest.mark.parametrize("name", PACKAGES)
 def test_every_room_is_a_list_of_names(name: str):
     """A room's `__init__` holds no code of its own: what it shows is imported from its private modules."""
     if name in {"cotouch", "cotouch.cli"}:  # one forwards names lazily; the other is the entry point
@@ -63,24 +57,28 @@ def test_every_room_is_a_list_of_names(name: str):
         assert isinstance(node, ast.Expr | ast.Import | ast.ImportFrom | ast.Assign), f"{name}, line {node.lineno}"
 
 
-@pytest.mark.parametrize("cls", CLASSES, ids=lambda cls: f"{cls.__module__}.{cls.__name__}")
-class TestEveryClass:
-    def test_is_abstract_or_final(self, cls: type):
-        """Errors form a tree and are exempt; so is the plumbing that numba wants subclassed."""
+@pytest.mark.parametrize("room", ROOMS)
+def test_every_class_is_abstract_or_final(room: str):
+    """Errors form a tree and are exempt; so is the plumbing that numba wants subclassed."""
+    for cls in (cls for name in ROOMS[room] for cls in own_classes(name)):
         if issubclass(cls, BaseException) or cls.__module__ == "cotouch.mechanics._vector":
-            return
+            continue
         final = vars(cls).get("__final__", False) or is_record(cls)
-        subclasses = [other for other in CLASSES if cls in other.__bases__]
+        subclasses = [other for other in all_classes() if cls in other.__bases__]
         if final:
-            assert not subclasses
+            assert not subclasses, cls
         else:
             # A protocol, an abstract class, or a base of tables that only its subclasses fill.
-            assert inspect.isabstract(cls) or getattr(cls, "_is_protocol", False) or subclasses, "mark it @final"
+            base = inspect.isabstract(cls) or getattr(cls, "_is_protocol", False) or subclasses
+            assert base, f"mark {cls} @final"
 
-    def test_is_documented(self, cls: type):
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_every_class_is_documented(room: str):
+    for cls in (cls for name in ROOMS[room] for cls in own_classes(name)):
         if cls.__name__.startswith("_"):
-            return
-        assert written_doc(cls)
+            continue
+        assert written_doc(cls), cls
         for name, member in vars(cls).items():
             function = member.fget if isinstance(member, property) else member
             function = getattr(function, "__func__", getattr(function, "func", function))
@@ -121,6 +119,6 @@ def test_the_error_tree_is_drawn_as_it_is():
 
 def test_no_other_room_has_errors_of_its_own():
     # A KeyboardInterrupt is no error, whatever it carries.
-    errors = [cls for cls in CLASSES if issubclass(cls, Exception) and not issubclass(cls, Warning)]
+    errors = [cls for cls in all_classes() if issubclass(cls, Exception) and not issubclass(cls, Warning)]
     strays = [cls for cls in errors if cls.__module__ != "cotouch.errors"]
     assert strays == []

@@ -5,7 +5,6 @@ from itertools import combinations
 from typing import final
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 from cotouch.arrays import Bool, Float, Long
 from cotouch.body._body import Body
@@ -184,6 +183,8 @@ def _within(skin: Skin, rest: Float, elements: Long, faces: Long, own: Long) -> 
         across = np.cross(ends[:, 1] - ends[:, 0], ends[:, 2] - ends[:, 0])
         for corner in range(3):
             np.add.at(normal, skin.triangles[:, corner], across)
+        from scipy.spatial import cKDTree
+
         nearest = cKDTree(skin.vertices).query(places)[1]
         outside = np.einsum("va,va->v", places - skin.vertices[nearest], normal[nearest]) > 0.0
         moved = element[outside]

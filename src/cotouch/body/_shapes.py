@@ -5,7 +5,6 @@ from typing import Final, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
-from scipy.spatial.transform import Rotation
 
 from cotouch.arrays import Float, Long
 from cotouch.body._body import Body
@@ -185,6 +184,8 @@ def turning(turn: Sequence[float], name: str = "turn") -> Float:
     Raises:
         BodyError: it is not three numbers, or more than some turns.
     """
+    from scipy.spatial.transform import Rotation
+
     vector = three(name, turn, _TURNS, f" of at most {_TURNS:g} rad")
     return Rotation.from_rotvec(vector).as_matrix()
 

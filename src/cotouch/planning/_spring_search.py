@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from typing import final
 
 import numpy as np
-import scipy.optimize
 
 from cotouch.arrays import Complex, Float
 from cotouch.errors import NetworkError, UnsupportedError
@@ -293,6 +292,8 @@ class Search:
             springs: of the links, in their order, (E,) [N/m].
             region: farthest that a spring may go, in logarithms, > 0.
         """
+        from scipy.optimize import linprog  # takes a tenth of a second, and no member needs it
+
         size = len(springs)
         below = np.maximum(np.expm1(-region), np.minimum(self.low / springs - 1.0, 0.0))
         above = np.minimum(np.expm1(region), np.maximum(self.high / springs - 1.0, 0.0))
@@ -303,7 +304,7 @@ class Search:
         lowered = np.hstack([program.slopes / unit, -np.ones((len(program.rates), 1))])
         limited = np.hstack([taken, np.zeros((len(taken), 1))])
         joined = np.hstack([program.parting / square, np.zeros((len(program.apart), 1))])
-        done = scipy.optimize.linprog(
+        done = linprog(
             np.append(np.zeros(size), 1.0),
             A_ub=np.vstack([lowered, limited, joined]),
             b_ub=np.concatenate([-program.rates / unit, np.maximum(1.0 - used, 0.0), -program.apart / square[:, 0]]),
