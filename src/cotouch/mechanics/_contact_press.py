@@ -11,9 +11,9 @@ from math import pi
 from typing import Any
 
 from cotouch.mechanics._contact_law import press
-from cotouch.mechanics._contact_patch import press_triangle
+from cotouch.mechanics._contact_patch import MEETS, press_triangle
 from cotouch.mechanics._contact_relief import press_relief
-from cotouch.mechanics._contact_skin import forget_hits, note_hit, place_bead, place_face
+from cotouch.mechanics._contact_skin import forget_hits, meet_four, note_hit, place_bead, place_face
 from cotouch.mechanics._contact_snap import draw_tool
 from cotouch.mechanics._contact_sweep import beads
 from cotouch.mechanics._contact_work import ContactWork
@@ -81,20 +81,26 @@ def _sum(
     corner, soft = surface.corner, surface.soft
     near, spot, out = work.near, work.spot, work.out
     faces, energy, stiffness, radius = near.shape[1], 0.0, tools.stiffness[t], tools.radius[t]
-    lacking, reach = 0.0, radius + surface.relief.top
+    lacking, reach, rough, met = 0.0, radius + surface.relief.top, surface.relief.top > 0.0, False
+    forces = share != 0.0 or soft.shape[0] > 0
     patch, firm, whole, pull, axes = 0.0, 0.0, 0.0, splat(0.0, FOUR), four(share, share, share, 0.0)
     for bead in range(beads(tools, t)):
         place_bead(work, tools, t, bead, time)
         for c in range(work.number[t]):
+            if c % 4 == 0:
+                met = meet_four(work, corner, t, c, time, radius)
+            meets = met and at(work.met, (MEETS, c % 4)) > 0.0
             f = near[t, c]
-            if place_face(work, f, corner, time) >= reach * reach:
+            if rough and place_face(work, f, corner, time) >= reach * reach:
+                continue
+            if not (meets or rough):
                 continue
             for q in range(4):
                 store(out, q, splat(0.0, FOUR), FOUR)
-            area = tools.share[t] * surface.area[f]
-            forces = share != 0.0 or soft.shape[0] > 0
-            covered = press_triangle(law, stiffness, radius, area, forces, energies, spot, out)
-            if surface.relief.top > 0.0:
+            area, covered = tools.share[t] * surface.area[f], 0.0
+            if meets:
+                covered = press_triangle(law, stiffness, radius, area, forces, energies, work.met, c % 4, out)
+            if rough:
                 covered += press_relief(law, stiffness, radius, area, forces, surface.relief, f, spot, out)
             if not covered > 0.0:
                 continue
@@ -226,14 +232,14 @@ def rub(work: ContactWork, tools: Tools, t: int, time: float, T: float) -> tuple
 
 
 @part
-def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: int, T: float, first: bool) -> float:
+def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: int, T: float) -> float:
     """Gathers the mean force of a step's contact, on tool and skin, as it would be by the present guess of the motion.
 
     Energy along a straight way changes by the mean of its slope, which two points of Gauss's rule give to fourth order.
     Where that way is short, the middle alone is as good.
 
     Returns:
-        In a first look at one whose way is short, the energy of its pressure in the middle [J].
+        Of one whose way is short, the energy of its pressure in the middle, as well as forces need it [J].
     """
     forget_hits(work, t)
     work.total[t], work.patch[t], work.grip[t, 0], work.grip[t, 1] = 0.0, 0.0, 0.0, 0.0
@@ -242,7 +248,7 @@ def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: in
         work.way[t, a] = 0.0
     half, energy = 0.5 / math.sqrt(3.0), 0.0
     if work.slow[t] != 0:
-        energy = press_tool(law, surface, work, tools, t, 0.5 * T, 1.0, first)
+        energy = press_tool(law, surface, work, tools, t, 0.5 * T, 1.0, False)
     else:
         press_tool(law, surface, work, tools, t, (0.5 - half) * T, 0.5, False)
         press_tool(law, surface, work, tools, t, (0.5 + half) * T, 0.5, False)

@@ -5,12 +5,15 @@ import math
 
 from cotouch.arrays import Float, Int
 from cotouch.mechanics._contact_near import touched
+from cotouch.mechanics._contact_patch import overlap
 from cotouch.mechanics._contact_sweep import bead_place
 from cotouch.mechanics._contact_work import ContactWork
-from cotouch.mechanics._kernel import part
+from cotouch.mechanics._fours import Quad, corner_rows, elements, four_rows
+from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._matrix3 import Vector
 from cotouch.mechanics._surface import Surface, box_distance, place_vertex
 from cotouch.mechanics._tools import Tools
-from cotouch.mechanics._vector import FOUR, at, load, lower, splat, store, total, upper
+from cotouch.mechanics._vector import FOUR, at, load, lower, splat, store, total, transposed, upper
 
 
 @part
@@ -106,6 +109,42 @@ def place_face(work: ContactWork, face: int, corner: Int, time: float) -> float:
         low, high = lower(low, moved), upper(high, moved)
     gap = upper(upper(low - middle, middle - high), splat(0.0, FOUR))
     return total(gap * gap)
+
+
+@part
+def meet_four(work: ContactWork, corner: Int, t: int, first: int, time: float, radius: float) -> bool:
+    """Where four of the triangles near a tool lie in the ball in row 3 of `spot`, after they moved for some time.
+
+    Args:
+        work: `met` gets what `overlap` finds.
+        corner: vertices of the triangles.
+        t: the tool.
+        first: which of those near it is the first of the four; the last stands in for what there is not.
+        time: how long they moved [s].
+        radius: of the ball [m].
+
+    Returns:
+        Whether any does.
+    """
+    own = t * work.near.shape[1]
+    a, b, c, d = elements(first, work.number[t] - 1)
+    faces = at(work.near, own + a), at(work.near, own + b), at(work.near, own + c), at(work.near, own + d)
+    one, two, three = corner_rows(corner, 3, faces, 0), corner_rows(corner, 3, faces, 1), corner_rows(corner, 3, faces, 2)
+    square = splat(radius * radius, FOUR)
+    return overlap(_seen(work, one, time), _seen(work, two, time), _seen(work, three, time), square, work.met)
+
+
+@inner
+def _seen(work: ContactWork, v: Quad, time: float) -> Vector:
+    """Where four vertices are after they moved for some time, from the point in row 3 of `spot`."""
+    middle, place, rate = load(work.spot, 3, FOUR), four_rows(work.fit.place, v), four_rows(work.rate, v)
+    x, y, z, _ = transposed(
+        (place[0] - middle) + time * rate[0],
+        (place[1] - middle) + time * rate[1],
+        (place[2] - middle) + time * rate[2],
+        (place[3] - middle) + time * rate[3],
+    )
+    return x, y, z
 
 
 @part

@@ -354,7 +354,7 @@ def _look(
     if first:
         feel_first(law, surface, touch, tools, t, T)
     else:
-        feel_tool(law, surface, touch, tools, t, T, False)
+        feel_tool(law, surface, touch, tools, t, T)
     load_rows(surface, touch, t, diagonal)
     return changed(touch, t)
 

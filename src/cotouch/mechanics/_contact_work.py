@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from cotouch.arrays import Float, Int
+from cotouch.mechanics._contact_patch import FOUND
 from cotouch.mechanics._model import Model
 from cotouch.mechanics._surface import Fit, Surface, fit_of
 from cotouch.mechanics._tools import MOST_HELD
@@ -58,6 +59,7 @@ class ContactWork(NamedTuple):
         yields: of a modal body: how much of what contacts and grasps do by a guess its answer takes back, on each
             axis, (3,).
         spot: corners and middle, (4, 4) [m].
+        met: where four triangles lie in a ball, as `overlap` finds it, (FOUND, 4).
         out: of one triangle, (4, 4).
         drawn: of one that draws a tool, (4, 4).
         mean: mean velocity of the tools, (tools, 4) [m/s].
@@ -121,6 +123,7 @@ class ContactWork(NamedTuple):
     found: Float
     yields: Float
     spot: Float
+    met: Float
     out: Float
     drawn: Float
     mean: Float
@@ -206,6 +209,7 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         found=np.zeros((rows, model.width)),
         yields=np.zeros(3),
         spot=np.zeros((4, 4)),
+        met=np.zeros((FOUND, 4)),
         out=np.zeros((4, 4)),
         drawn=np.zeros((4, 4)),
         mean=row(),
