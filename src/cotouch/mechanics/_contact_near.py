@@ -57,17 +57,29 @@ def touched(touch: ContactWork, i: int) -> int:
 
 @part
 def say(touch: ContactWork, mean: Float, rhs: Float, lanes: tuple[int, ...]) -> None:
-    """Notes what contacts would do at the rate that was found, if they were linear, and what comes of that."""
-    done, given = splat(0.0, lanes), splat(0.0, lanes)
-    for c in range(touch.many[0]):
-        i = touch.reach[c]
+    """Notes what contacts would do at the rate that was found, if they were linear, what comes of that, and its bound.
+
+    Four rows at a time, because each sum waits for the one before.
+    """
+    done = a = b = c = d = p = q = r = s = splat(0.0, lanes)
+    for place in range(touch.many[0]):
+        i = touch.reach[place]
         rate = load(mean, i, lanes)
         said = load(touch.push, i, lanes) - touch.hold[i] * rate
         store(touch.said, i, said, lanes)
         done = done + said * rate
-    for i in range(mean.shape[0]):
-        given = given + load(mean, i, lanes) * load(rhs, i, lanes)
-    touch.given[0], touch.given[1] = total(given), total(done)
+    rows = mean.shape[0]
+    for i in range(0, rows - 3, 4):
+        u, v = load(mean, i, lanes), load(mean, i + 1, lanes)
+        w, x = load(mean, i + 2, lanes), load(mean, i + 3, lanes)
+        a, b = a + u * load(rhs, i, lanes), b + v * load(rhs, i + 1, lanes)
+        c, d = c + w * load(rhs, i + 2, lanes), d + x * load(rhs, i + 3, lanes)
+        p, q, r, s = upper(p, u * u), upper(q, v * v), upper(r, w * w), upper(s, x * x)
+    for i in range(rows - rows % 4, rows):
+        u = load(mean, i, lanes)
+        a, p = a + u * load(rhs, i, lanes), upper(p, u * u)
+    touch.given[0], touch.given[1] = total((a + b) + (c + d)), total(done)
+    touch.quick[0] = math.sqrt(total(upper(upper(p, q), upper(r, s))))
 
 
 @part

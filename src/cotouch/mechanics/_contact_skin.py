@@ -11,9 +11,9 @@ from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._fours import Quad, corner_rows, elements, four_rows
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import Vector
-from cotouch.mechanics._surface import Surface, box_distance, place_vertex
+from cotouch.mechanics._surface import Surface, box_distance, farthest, place_vertex
 from cotouch.mechanics._tools import Tools
-from cotouch.mechanics._vector import FOUR, at, load, lower, splat, store, total, transposed, upper
+from cotouch.mechanics._vector import FOUR, at, four, load, lower, splat, store, total, transposed, upper
 
 
 @part
@@ -29,13 +29,8 @@ def fastest(surface: Surface, velocity: Float, lanes: tuple[int, ...]) -> float:
                 most += rate * (abs(surface.lean[i, a]) + surface.spread[i, a])
             square += most * most
         return math.sqrt(square)
-    if width > 1:  # the larger in each lane, of two rows at a time: a maximum waits for the one before
-        even = odd = splat(0.0, lanes)
-        for i in range(0, rows - 1, 2):
-            first, second = load(velocity, i, lanes), load(velocity, i + 1, lanes)
-            even, odd = upper(even, first * first), upper(odd, second * second)
-        last = load(velocity, rows - 1, lanes)
-        return surface.swing * math.sqrt(total(upper(upper(even, odd), last * last)))
+    if width > 1:
+        return surface.swing * math.sqrt(farthest(velocity, velocity, 0.0, lanes))
     for i in range(rows):
         square = max(square, 3.0 * velocity[i, 0] * velocity[i, 0])
     return math.sqrt(square)
@@ -47,11 +42,11 @@ def look_around(
 ) -> None:
     """Notes every triangle that is no farther from the middle of a tool, and how far all are at least."""
     fit, stack, near = work.fit, work.stack, work.near
-    place, corner, child, leaf = fit.place, surface.corner, surface.child, surface.leaf
-    hidden = fit.hidden
+    place, corner, child, leaf, fresh = fit.place, surface.corner, surface.child, surface.leaf, fit.fresh
     forget_hits(work, t)
     least = reach * reach
     x, y, z = tools.place[t, 0], tools.place[t, 1], tools.place[t, 2]
+    middle, zero = four(x, y, z, 0.0), splat(0.0, FOUR)
     count, waiting = 0, 1
     stack[0] = 0
     while waiting > 0:
@@ -59,23 +54,24 @@ def look_around(
         box = stack[waiting]
         if not box_distance(surface, fit, box, x, y, z, position, lanes) <= reach * reach:
             continue
-        left, right = child[box, 0], child[box, 1]
+        left, right = at(child, (box, 0)), at(child, (box, 1))
         if left >= 0:
             stack[waiting], stack[waiting + 1] = left, right
             waiting += 2
             continue
         for member in range(-1 - left, -1 - left + right):
-            f = leaf[member]
-            if hidden[f] != 0:
+            f = at(leaf, member)
+            if at(fit.hidden, f) != 0:
                 continue
-            for c in range(3):
-                place_vertex(surface, fit, corner[f, c], position, lanes)
-            gap = 0.0
-            for a in range(3):
-                own = tools.place[t, a]
-                p0, p1, p2 = place[corner[f, 0], a], place[corner[f, 1], a], place[corner[f, 2], a]
-                apart = max(min(p0, p1, p2) - own, own - max(p0, p1, p2), 0.0)
-                gap += apart * apart
+            low, high = splat(math.inf, FOUR), splat(-math.inf, FOUR)
+            for q in range(3):
+                v = at(corner, (f, q))
+                if at(fresh, v) != at(fit.number, 0):
+                    place_vertex(surface, fit, v, position, lanes)
+                vertex = load(place, v, FOUR)
+                low, high = lower(low, vertex), upper(high, vertex)
+            apart = upper(upper(low - middle, middle - high), zero)
+            gap = total(apart * apart)
             if gap <= reach * reach:
                 near[t, count] = f
                 count += 1

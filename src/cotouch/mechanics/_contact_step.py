@@ -164,7 +164,7 @@ def contact_step(
             bent, moving = solve_touched(
                 op, ports, touch, state, work, T, number, modal, corrects, material, ledger, tolerance, cap, lanes
             )
-            touch.quick[0] = fastest(surface, mean, lanes)
+            touch.quick[0] = fastest(surface, mean, lanes) if modal or len(lanes) == 1 else surface.swing * touch.quick[0]
             if material and number < looks:
                 most = MOST_LOOKS if bent < was else 0
                 if directions <= number + 1 < most and not leaves_little(bent, was, moving, rounded):
