@@ -22,7 +22,7 @@ from cotouch.mechanics._angle import angles
 from cotouch.mechanics._contact_law import press
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import Vector, cross
-from cotouch.mechanics._vector import FOUR, at, four, lane, load, lower, root, splat, store, total, upper, where
+from cotouch.mechanics._vector import FOUR, at, four, lane, load, lower, root, size, splat, store, total, upper, where
 
 
 def _gauss(points: int) -> tuple[tuple[float, ...], tuple[float, ...]]:
@@ -45,6 +45,8 @@ _SHALLOW, _BETWEEN = 0.25, 0.5 / math.sqrt(7.0)
 _NEAR = 1e-8
 # A triangle whose sine at a corner is smaller than the root of this is a line.
 _FLAT = 1e-24
+# An angle so small may be a whole turn that was rounded.
+_ROUNDED = 1e-9
 # Rows of what `overlap` finds: whether they overlap; twice the area; height and square of the disc's radius; angle
 # beyond the sides. Then three for each: corners in the plane, from the foot; where each side's part in the disc begins,
 # and how much of it there is; unit vectors of the plane's first axis and of the normal.
@@ -79,10 +81,11 @@ def overlap(a: Vector, b: Vector, c: Vector, square: float, found: Float) -> boo
         return False
     u, v = _apart(b, a), _apart(c, a)
     m = cross(u, v)
-    size, long = _dot(m, m), _dot(u, u)
-    real = size - _FLAT * long * _dot(v, v)
-    size, length = root(where(real, size, 1.0)), root(where(real, long, 1.0))
-    m, u = _scaled(1.0 / size, m), _scaled(1.0 / length, u)
+    wide, long = _dot(m, m), _dot(u, u)
+    real = wide - _FLAT * long * _dot(v, v)
+    wide, length = root(where(real, wide, 1.0)), root(where(real, long, 1.0))
+    every = 1.0 / (wide * length)
+    m, u = _scaled(every * length, m), _scaled(every * wide, u)
     w = cross(m, u)
     height = zero - _dot(a, m)
     disc = square - height * height
@@ -94,22 +97,31 @@ def overlap(a: Vector, b: Vector, c: Vector, square: float, found: Float) -> boo
     store(found, _Y, y0, FOUR)
     store(found, _Y + 1, y0, FOUR)
     store(found, _Y + 2, y2, FOUR)
-    meets = lower(lower(x0 * y0 - y0 * x1, x1 * y2 - y0 * x2), x2 * y0 - y2 * x0)
-    for side in range(3):
-        x, y, dx, dy = _side(found, side)
-        first, last = _chords(x, y, dx, dy, disc)
-        meets = upper(meets, last - first)
-        store(found, _FIRST + side, first, FOUR)
-        store(found, _WITHIN + side, last - first, FOUR)
-    meets = lower(lower(meets, real), disc)
+    inside = lower(lower(x0 * y0 - y0 * x1, x1 * y2 - y0 * x2), x2 * y0 - y2 * x0)
+    p, q, r = (
+        _cuts(x0, y0, x1 - x0, zero, disc),
+        _cuts(x1, y0, x2 - x1, y2 - y0, disc),
+        _cuts(x2, y2, x0 - x2, y0 - y2, disc),
+    )
+    every = 1.0 / (p[0] * q[0] * r[0])  # one quotient for all
+    within = _chord(p, every * q[0] * r[0], found, 0)
+    within = upper(within, _chord(q, every * p[0] * r[0], found, 1))
+    within = upper(within, _chord(r, every * p[0] * q[0], found, 2))
+    meets = lower(lower(upper(inside, within), real), disc)
     store(found, MEETS, meets, FOUR)
     if not _any(meets):
         return False
-    turned = zero
+    # The angle of a product is the sum of the angles. It is at least 0, and a whole turn at most; which of these two it
+    # is where rounding does not tell, sides do.
+    gx, gy = splat(1.0, FOUR), zero
     for side in range(3):
         x, y, dx, dy = _side(found, side)
-        turned = turned + _beyond(x, y, dx, dy, load(found, _FIRST + side, FOUR), load(found, _WITHIN + side, FOUR))
-    store(found, _SIZE, size, FOUR)
+        kx, ky = _beyond(x, y, dx, dy, load(found, _FIRST + side, FOUR), load(found, _WITHIN + side, FOUR))
+        gx, gy = gx * kx - gy * ky, gx * ky + gy * kx
+    turned = angles(gx, gy)
+    whole = where(lower(inside, 0.5 - within), _ROUNDED - turned, zero - _ROUNDED - turned)
+    turned = where(whole, 2.0 * math.pi + turned, upper(turned, zero))
+    store(found, _SIZE, wide, FOUR)
     store(found, _HEIGHT, height, FOUR)
     store(found, _CUT, disc, FOUR)
     store(found, _TURNED, turned, FOUR)
@@ -195,7 +207,7 @@ def press_triangle(
     Returns:
         How much of the area at rest lies in the ball [m²].
     """
-    size, height, disc, turned = (
+    double, height, disc, turned = (
         at(found, (_SIZE, n)),
         at(found, (_HEIGHT, n)),
         at(found, (_CUT, n)),
@@ -208,7 +220,7 @@ def press_triangle(
         r = edge * load(_DISC, k, FOUR)
         energy, _, _ = press(law, stiffness, radius, upper(top - deeper * (r * r), zero))
         ue = ue + (turned * edge) * (load(_DISC, 2 + k, FOUR) * (r * energy))
-    covered, scale = 0.5 * turned * disc, area / (0.5 * size)
+    covered, scale = 0.5 * turned * disc, area / (0.5 * double)
     # Over four points of a side at once: pressure and slopes; what comes of the energy, and of the pressure, on sides.
     uc, us, upx, upy, uxx, uxy, uyy, uhx, uhy = zero, zero, zero, zero, zero, zero, zero, zero, zero
     # From the foot to the edge of the disc.
@@ -266,7 +278,7 @@ def press_triangle(
     ss = 0.5 * (turned * disc * ss + total(us))
     sx, sy, sxx, sxy, syy = total(upx), total(upy), se + total(uxx), 0.5 * total(uxy), se + total(uyy)
     hx, hy = radius * total(uhx), radius * total(uhy)
-    own, per = 1.0 / size, scale / radius
+    own, per = 1.0 / double, scale / radius
     ux, uy, uz = at(found, (_AXIS, n)), at(found, (_AXIS + 1, n)), at(found, (_AXIS + 2, n))
     mx, my, mz = at(found, (_NORMAL, n)), at(found, (_NORMAL + 1, n)), at(found, (_NORMAL + 2, n))
     wx, wy, wz = my * uz - mz * uy, mz * ux - mx * uz, mx * uy - my * ux
@@ -290,27 +302,44 @@ def press_triangle(
 
 
 @inner
-def _chords(x: float, y: float, dx: float, dy: float, disc: float) -> tuple[float, float]:
-    """Between which shares of each side it lies in a disc about the origin; the second is not larger: nowhere."""
-    zero, one = splat(0.0, FOUR), splat(1.0, FOUR)
+def _cuts(x: float, y: float, dx: float, dy: float, disc: float) -> tuple[float, float, float, float]:
+    """At which shares of a side its line cuts a disc about the origin, as quotients.
+
+    Returns:
+        What to divide by; for the one and the other share; whether the one is the smaller. Where the line misses the
+        disc, the smaller is 1 and the other 0.
+    """
+    zero = splat(0.0, FOUR)
     square, along, under = dx * dx + dy * dy, x * dx + y * dy, disc - (x * x + y * y)
     seen = along * along + square * under
     far = root(upper(seen, zero))
     # Each root by the form that does not cancel.
-    q = where(along, along + far, along - far)
-    a, b = (0.0 - q) / square, under / q
-    first, last = upper(where(along, a, b), zero), lower(where(along, b, a), one)
-    return where(seen, first, one), where(seen, last, zero)
+    q = where(seen, where(along, along + far, along - far), 1.0)
+    by = square * q
+    return by, where(seen, zero - q * q, by), where(seen, under * square, 0.0), where(seen, along, 1.0)
 
 
 @inner
-def _beyond(x: float, y: float, dx: float, dy: float, first: float, within: float) -> float:
-    """Angles that the parts of each side outside of the disc are seen under from the foot.
+def _chord(cuts: tuple[float, float, float, float], every: float, found: Float, side: int) -> float:
+    """Keeps which part of a side lies in the disc; returns how much of it, not above 0: nothing."""
+    a, b = every * cuts[1], every * cuts[2]
+    first = upper(where(cuts[3], a, b), splat(0.0, FOUR))
+    within = lower(where(cuts[3], b, a), splat(1.0, FOUR)) - first
+    store(found, _FIRST + side, first, FOUR)
+    store(found, _WITHIN + side, within, FOUR)
+    return within
 
-    Of a side less that of its part within the disc: both have one sign, and the difference is less than half a turn.
+
+@inner
+def _beyond(x: float, y: float, dx: float, dy: float, first: float, within: float) -> tuple[float, float]:
+    """A vector of the angle that the parts of a side outside of the disc are seen under from the foot.
+
+    Of the side less that of its part within the disc: both have one sign, and the difference is less than half a turn.
     """
+    one = splat(1.0, FOUR)
     share, beside, last = upper(within, splat(0.0, FOUR)), x * dy - y * dx, first + within
     whole = x * (x + dx) + y * (y + dy)
     gx, gy, kx, ky = x + first * dx, y + first * dy, x + last * dx, y + last * dy
-    inner_part = where(share, gx * kx + gy * ky, 1.0)
-    return angles(whole * inner_part + (share * beside) * beside, beside * (inner_part - share * whole))
+    inner_part = where(share, gx * kx + gy * ky, one)
+    along, across = whole * inner_part + (share * beside) * beside, beside * (inner_part - share * whole)
+    return where(size(along) + size(across), along, one), across
