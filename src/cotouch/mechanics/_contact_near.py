@@ -10,13 +10,13 @@ import math
 
 from cotouch.arrays import Float
 from cotouch.mechanics._contact_work import ContactWork
-from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._kernel import part
 from cotouch.mechanics._operator import Operator, row_sum
 from cotouch.mechanics._state import Workspace
 from cotouch.mechanics._vector import at, load, put, splat, store, total, upper
 
-# Between which shares all corrections of a step leave of what the first should correct, of a body with a material and of
-# a linear one, and the iterations of each at most: what one leaves, no other finds.
+# Between which shares all corrections of a step leave of what the first should correct, of a body with a material and
+# of a linear one, and the iterations of each at most: what one leaves, no other finds.
 _FINE, _ROUGH, _LINEAR, _MOST = 1e-3, 3e-2, 1e-1, 16
 _TINY, _MOST_GAIN = 1e-290, 3.0
 

@@ -190,7 +190,7 @@ def press_triangle(
     n: int,
     out: Float,
 ) -> float:
-    """Adds what one ball does on one triangle that it overlaps.
+    """What one ball does on one triangle that it overlaps.
 
     Args:
         law: of the contact.
@@ -201,8 +201,8 @@ def press_triangle(
         energies: whether the energy is that of the state, rather than what suffices for forces.
         found: by `overlap`.
         n: the triangle's lane there.
-        out: rows 0 to 2: force on each corner [N], and its share of the pressure's sum [N]; row 3: the sum of the
-            slopes for each corner [N/m], and the energy [J]; (4, 4).
+        out: result: rows 0 to 2: force on each corner [N], and its share of the pressure's sum [N]; row 3: the sum of
+            the slopes for each corner [N/m], and the energy [J]; (4, 4). Without forces only the last.
 
     Returns:
         How much of the area at rest lies in the ball [m²].
@@ -269,7 +269,7 @@ def press_triangle(
             uxy = uxy + (tx * ex - ty * ey) * energy
             uhx, uhy = uhx - ty * pressure, uhy + tx * pressure
     se = total(ue)
-    out[3, 3] += scale * se
+    out[3, 3] = scale * se
     if not forces:
         return scale * covered
     # Sums over the plane: pressure and slopes; pressure times x, y, xx, xy, yy, of the radius; slopes times x, y.
@@ -293,11 +293,11 @@ def press_triangle(
         along = (l0 * sx + lx * sxx + ly * sxy) * scale
         beside = (l0 * sy + lx * sxy + ly * syy) * scale
         down = -height * borne * per
-        out[corner, 0] += along * ux + beside * wx + down * mx
-        out[corner, 1] += along * uy + beside * wy + down * my
-        out[corner, 2] += along * uz + beside * wz + down * mz
-        out[corner, 3] += scale * borne
-        out[3, corner] += scale * max(l0 * ss + lx * hx + ly * hy, 0.0)
+        out[corner, 0] = along * ux + beside * wx + down * mx
+        out[corner, 1] = along * uy + beside * wy + down * my
+        out[corner, 2] = along * uz + beside * wz + down * mz
+        out[corner, 3] = scale * borne
+        out[3, corner] = scale * max(l0 * ss + lx * hx + ly * hy, 0.0)
     return scale * covered
 
 

@@ -95,9 +95,9 @@ def _sum(
                 continue
             if not (meets or rough):
                 continue
-            for q in range(4):
-                store(out, q, splat(0.0, FOUR), FOUR)
             area, covered = tools.share[t] * surface.area[f], 0.0
+            for q in range(4 if not meets else 0):
+                store(out, q, splat(0.0, FOUR), FOUR)
             if meets:
                 covered = press_triangle(law, stiffness, radius, area, forces, energies, work.met, c % 4, out)
             if rough:
@@ -283,14 +283,10 @@ def _resist(surface: Surface, work: ContactWork, tools: Tools, t: int, T: float)
         approach -= work.way[t, a] * (work.mean[t, a] - work.skin[t, a])
     corner, near = surface.corner, work.near
     for n in range(work.hits[t]):
+        f = at(near, (t, at(work.hit, (t, n))))
         for q in range(3):
-            v, long = corner[near[t, work.hit[t, n]], q], 0.0
-            if work.firm[v] > 0.0:
-                for a in range(3):
-                    long += work.force[v, a] * work.force[v, a]
-                long = math.sqrt(long)
-                for a in range(3):
-                    work.ward[v, a] = work.force[v, a] / long if long > 0.0 else 0.0
+            v = at(corner, (f, q))
+            store(work.ward, v, load(work.force, v, FOUR), FOUR)
     if tools.friction[t] <= 0.0 and tools.loss[t] <= 0.0 and tools.viscosity[t] <= 0.0:
         return
     _, _, share = rub(work, tools, t, T, T)
@@ -305,13 +301,11 @@ def _resist(surface: Surface, work: ContactWork, tools: Tools, t: int, T: float)
     work.grip[t, 1] += grip + film
     extra = damper + grip + film
     for n in range(work.hits[t]):
-        c = work.hit[t, n]
+        c = at(work.hit, (t, n))
+        f, place = at(near, (t, c)), t * faces + c
         for q in range(3):
-            part_of = work.load[t * faces + c, q] / work.total[t]
-            if part_of != 0.0:
-                v = corner[near[t, c], q]
-                work.apart[v] += part_of * extra
-                for a in range(3):
-                    work.force[v, a] -= part_of * work.across[t, a]
+            part_of, v = at(work.load, (place, q)) / work.total[t], at(corner, (f, q))
+            put(work.apart, v, at(work.apart, v) + part_of * extra)
+            store(work.force, v, load(work.force, v, FOUR) - part_of * load(work.across, t, FOUR), FOUR)
     for a in range(3):
         work.pull[t, a] += work.across[t, a]

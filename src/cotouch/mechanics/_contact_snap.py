@@ -69,8 +69,6 @@ def draw_triangle(
     for k in range(3):
         if not at(met, (MEETS, k)) > 0.0:
             continue
-        for q in range(4):
-            store(out, q, splat(0.0, FOUR), FOUR)
         ball = math.sqrt(square + k * half)
         stiffness = stiffness_of(modulus * ball * ball, ball)
         press_triangle(Foundation(1.0), stiffness, ball, area, forces, False, met, k, out)

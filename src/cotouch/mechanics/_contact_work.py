@@ -33,11 +33,13 @@ class ContactWork(NamedTuple):
         patch: area at rest of the skin within each tool, (tools,) [m²].
         across: force of friction, film and damping on each tool, (tools, 4) [N].
         rate: velocity of the vertices, (V, 4) [m/s].
-        read: when the speed of a vertex was worked out last, (V,).
-        turn: how often that was done, (1,).
+        vertices: how many belong to those near each tool, (tools,).
+        vertex: which, (tools, V).
+        read: when a vertex was found to be near last, (V,).
+        turn: how often such were looked for, (1,).
         force: on the vertices, (V, 4) [N].
         firm: what resists motion of the vertices, (V,) [Ns/m].
-        ward: unit vector along what presses on each vertex, (V, 4).
+        ward: what presses on each vertex, (V, 4) [N].
         apart: what resists motion of the vertices on all axes besides, (V,) [Ns/m].
         push: on the rows, (rows, width) [N].
         hold: what resists motion of the rows, (rows,) [Ns/m].
@@ -99,6 +101,8 @@ class ContactWork(NamedTuple):
     patch: Float
     across: Float
     rate: Float
+    vertices: Int
+    vertex: Int
     read: Int
     turn: Int
     force: Float
@@ -185,6 +189,8 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         patch=np.zeros(tools),
         across=row(),
         rate=np.zeros((vertices, 4)),
+        vertices=np.zeros(tools, dtype=np.int32),
+        vertex=np.zeros((tools, vertices), dtype=np.int32),
         read=np.zeros(vertices, dtype=np.int32),
         turn=np.zeros(1, dtype=np.int32),
         force=np.zeros((vertices, 4)),

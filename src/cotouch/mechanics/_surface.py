@@ -288,7 +288,7 @@ def _bounds(
 
 @block
 def refit(surface: Surface, fit: Fit, position: Float, lanes: tuple[int, ...]) -> None:
-    """Brings boxes to where the body is, if it went far since the last time; in a modal basis only prepares for searches.
+    """Brings boxes to where the body is, if it went far since the last time; in a modal basis prepares for searches.
 
     Args:
         surface: the skin.
@@ -336,8 +336,14 @@ def farthest(first: Float, second: Float, share: float, lanes: tuple[int, ...]) 
     last = first.shape[0] - 1
     for i in range(0, last + 1, 4):
         j, k, n = min(i + 1, last), min(i + 2, last), min(i + 3, last)
-        p, q = load(first, i, lanes) - share * load(second, i, lanes), load(first, j, lanes) - share * load(second, j, lanes)
-        r, s = load(first, k, lanes) - share * load(second, k, lanes), load(first, n, lanes) - share * load(second, n, lanes)
+        p, q = (
+            load(first, i, lanes) - share * load(second, i, lanes),
+            load(first, j, lanes) - share * load(second, j, lanes),
+        )
+        r, s = (
+            load(first, k, lanes) - share * load(second, k, lanes),
+            load(first, n, lanes) - share * load(second, n, lanes),
+        )
         a, b, c, d = upper(a, p * p), upper(b, q * q), upper(c, r * r), upper(d, s * s)
     return total(upper(upper(a, b), upper(c, d)))
 
