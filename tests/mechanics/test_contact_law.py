@@ -127,6 +127,20 @@ def test_a_flat_pushes_as_the_closed_form_says(law: Any, height: float, within: 
 
 
 @pytest.mark.parametrize("law", EVERY)
+def test_a_flat_pushes_alike_where_its_triangles_meet(law: Any) -> None:
+    """The ball's foot in a corner or on a side, and a disc that touches a side, or would but for rounding."""
+    corner = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]], dtype=np.int32)
+    place = np.array([[0.0, 0.0, 0.0], [0.03, 0.0, 0.0], [0.0, 0.03, 0.0], [-0.03, 0.0, 0.0], [0.0, -0.03, 0.0]])
+    height, edge = 0.0075, R * sqrt(1.0 - 0.75**2)
+    energy, force = press(law, place, corner, (0.0062, 0.0071, height))
+    beyond = [edge + sign * gap for gap in (1e-17, 1e-13, 1e-10, 1e-8) for sign in (1.0, -1.0)]
+    for x, y in [(0.0, 0.0), (0.009, 0.0), (1e-18, -1e-18), *((0.01, y) for y in beyond)]:
+        there, push = press(law, place, corner, (x, y, height))
+        assert there == pytest.approx(energy, rel=1e-7)
+        np.testing.assert_allclose(push.sum(axis=0), force.sum(axis=0), atol=1e-6 * np.linalg.norm(force.sum(axis=0)))
+
+
+@pytest.mark.parametrize("law", EVERY)
 def test_sliding_over_rows_of_vertices_is_not_felt(law: Any) -> None:
     """Where a contact at each local minimum of distance jumps by 44 %: the same force at every place."""
     place, corner = flat(9)

@@ -252,6 +252,26 @@ def test_sliding_over_rows_of_vertices(friction: float, kinetic: float) -> None:
     assert copy.residual <= 1e-14 * copy.in_play
 
 
+def test_what_a_step_leaves_to_the_next_makes_no_contact_softer() -> None:
+    """What energy of one tool is foretold, or left to another, is no change from outside; nor is rounding."""
+    copy = Pressed(block(damping=0.02), count=3, tolerance=1e-6)
+    tools, middle = copy.tools, np.array([[0.02, 0.02, TOP], [0.04, 0.03, TOP], [0.025, 0.045, TOP]])
+    tools.radius[:], tools.drive_stiffness[:], tools.drive_damping[:] = 0.01, 500.0, 5.0
+    tools.friction[:] = tools.kinetic[:] = 0.5
+    tools.place[:, :3] = middle
+    tools.place[:, 2] += 0.0101
+    tools.drive_end[:] = tools.place
+    copy.begin()
+    for n in range(600):
+        tools.drive_start[:] = tools.drive_end
+        tools.drive_end[:, :3] = middle
+        tools.drive_end[:, 0] += 0.006 * np.sin(0.1 * n)
+        tools.drive_end[:, 2] += max(0.0101 - 1e-4 * n, 0.004)
+        copy.step(1e-3)
+    assert tools.touching.all()
+    assert np.all(tools.share == 1.0)
+
+
 def test_friction_holds_below_its_cone() -> None:
     copy = plate()
     copy.tools.friction[:], copy.tools.kinetic[:] = 0.6, 0.3

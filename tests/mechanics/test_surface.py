@@ -68,6 +68,34 @@ def test_boxes_hold_their_triangles(body: Body, basis: Basis, size: float):
             assert inside == pytest.approx(gap @ gap, abs=1e-16)
 
 
+def test_boxes_hold_what_went_little_since_they_were_fitted() -> None:
+    """They stay as they are, and no point of what they hold is nearer than they say."""
+    body, rng = block(), np.random.default_rng(2)
+    carrier = model(body, basis="nodal")
+    surface = surface_of(carrier)
+    fit: Fit = fit_of(surface, carrier)
+    field = moved(body, rng, size=0.1)
+    refit(surface, fit, carrier.to_rows(field), carrier.lanes)
+    low = fit.low.copy()
+    for _ in range(20):
+        field = field + 3e-5 * rng.normal(size=field.shape)
+        position = carrier.to_rows(field)
+        refit(surface, fit, position, carrier.lanes)
+        for v in range(surface.rest.shape[0]):
+            place_vertex(surface, fit, v, position, carrier.lanes)
+        assert body.skin is not None
+        assert fit.place[:, :3] == pytest.approx(body.skin.vertices + body.skin.carried(field), abs=1e-13)
+        assert np.array_equal(fit.low, low)
+        point = rng.uniform(-0.1, 0.2, 3)
+        for box in range(surface.child.shape[0]):
+            corners = fit.place[surface.corner[members(surface, box)], :3].reshape(-1, 3)
+            gap = np.maximum(np.maximum(corners.min(axis=0) - point, point - corners.max(axis=0)), 0.0)
+            assert box_distance(surface, fit, box, *point, position, carrier.lanes) <= gap @ gap
+    refit(surface, fit, carrier.to_rows(field + 0.01), carrier.lanes)
+    assert fit.slack[0] == 0.0
+    assert np.all(fit.low[:, :3] > low[:, :3] + 0.005)
+
+
 def test_needs_three_axes():
     with pytest.raises(BodyError, match="2 axes"):
         surface_of(model(lattice((3, 3))))

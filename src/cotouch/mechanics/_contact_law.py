@@ -41,7 +41,7 @@ def press(law: Any, stiffness: float, radius: float, depth: float) -> tuple[floa
     raise NotImplementedError
 
 
-@overload(press)
+@overload(press, jit_options={"forceinline": True})
 def _press(law, stiffness, radius, depth):  # numba compares the names with the stub's
     found = CONTACT_LAWS.get(law.instance_class) if isinstance(law, types.BaseNamedTuple) else None
     if found is None:

@@ -10,14 +10,14 @@ import math
 
 from cotouch.arrays import Float
 from cotouch.mechanics._contact_work import ContactWork
-from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._kernel import part
 from cotouch.mechanics._operator import Operator, row_sum
 from cotouch.mechanics._state import Workspace
-from cotouch.mechanics._vector import at, load, put, splat, store, total
+from cotouch.mechanics._vector import at, load, put, splat, store, total, upper
 
-# Between which shares all corrections of a step leave of what the first should correct, and the iterations of each at
-# most: what one leaves, no other finds.
-_FINE, _ROUGH, _MOST = 1e-3, 3e-2, 16
+# Between which shares all corrections of a step leave of what the first should correct, of a body with a material and
+# of a linear one, and the iterations of each at most: what one leaves, no other finds.
+_FINE, _ROUGH, _LINEAR, _MOST = 1e-3, 3e-2, 1e-1, 16
 _TINY, _MOST_GAIN = 1e-290, 3.0
 
 
@@ -57,17 +57,29 @@ def touched(touch: ContactWork, i: int) -> int:
 
 @part
 def say(touch: ContactWork, mean: Float, rhs: Float, lanes: tuple[int, ...]) -> None:
-    """Notes what contacts would do at the rate that was found, if they were linear, and what comes of that."""
-    done, given = splat(0.0, lanes), splat(0.0, lanes)
-    for c in range(touch.many[0]):
-        i = touch.reach[c]
+    """Notes what contacts would do at the rate that was found, if they were linear, what comes of that, and its bound.
+
+    Four rows at a time, because each sum waits for the one before.
+    """
+    done = a = b = c = d = p = q = r = s = splat(0.0, lanes)
+    for place in range(touch.many[0]):
+        i = touch.reach[place]
         rate = load(mean, i, lanes)
         said = load(touch.push, i, lanes) - touch.hold[i] * rate
         store(touch.said, i, said, lanes)
         done = done + said * rate
-    for i in range(mean.shape[0]):
-        given = given + load(mean, i, lanes) * load(rhs, i, lanes)
-    touch.given[0], touch.given[1] = total(given), total(done)
+    rows = mean.shape[0]
+    for i in range(0, rows - 3, 4):
+        u, v = load(mean, i, lanes), load(mean, i + 1, lanes)
+        w, x = load(mean, i + 2, lanes), load(mean, i + 3, lanes)
+        a, b = a + u * load(rhs, i, lanes), b + v * load(rhs, i + 1, lanes)
+        c, d = c + w * load(rhs, i + 2, lanes), d + x * load(rhs, i + 3, lanes)
+        p, q, r, s = upper(p, u * u), upper(q, v * v), upper(r, w * w), upper(s, x * x)
+    for i in range(rows - rows % 4, rows):
+        u = load(mean, i, lanes)
+        a, p = a + u * load(rhs, i, lanes), upper(p, u * u)
+    touch.given[0], touch.given[1] = total((a + b) + (c + d)), total(done)
+    touch.quick[0] = math.sqrt(total(upper(upper(p, q), upper(r, s))))
 
 
 @part
@@ -97,38 +109,6 @@ def _gain(touch: ContactWork, square: float, kept: float) -> float:
         gain = min(max(touch.goal[1] * before / (before - kept), 1.0), _MOST_GAIN)
     touch.goal[1], touch.goal[2] = gain, square
     return gain
-
-
-@inner
-def _weigh(
-    op: Operator,
-    work: Workspace,
-    touch: ContactWork,
-    values: Float,
-    scale: float,
-    gain: float,
-    size: int,
-    lanes: tuple[int, ...],
-) -> None:
-    """What a correction Δ changes of `v̂ᵀ b` and `v̂ᵀ (A v̂ - b)`: `Δᵀ b` and `Δᵀ (2 A v̂ + A Δ - b)`, v̂ before it.
-
-    Both concern the rows alone that it reached; `A Δ` is what conjugate gradients took off the residual.
-    """
-    given, done, axes = splat(0.0, lanes), splat(0.0, lanes), 3 if len(lanes) > 1 else 1
-    for place in range(size):
-        i = at(touch.reach, place)
-        answer = load(touch.found, i, lanes)
-        taken = splat(0.0, lanes) - load(work.residual, i, lanes)
-        if place < touch.many[0]:
-            taken = taken + load(touch.missed, i, lanes)
-            for a in range(axes):
-                taken = taken - touch.found[i, a] * load(touch.stiff, 3 * place + a, lanes)
-        held = at(work.diagonal, i) * load(work.mean, i, lanes) + scale * row_sum(op, values, i, work.mean, lanes)
-        b = load(work.rhs, i, lanes)
-        given = given + answer * b
-        done = done + answer * (2.0 * held + gain * taken - b)
-    touch.given[0] += gain * total(given)
-    touch.given[1] += gain * total(done)
 
 
 @part
@@ -171,12 +151,15 @@ def correct_near(
     square = total(energy)
     gain = _gain(touch, square, total(kept))
     if touch.goal[0] < 0.0:  # later ones have less to do
-        leaves = min(max(leaves, _FINE), _ROUGH)
+        leaves = min(max(leaves, _FINE), _LINEAR if weighs else _ROUGH)
         touch.goal[0] = max(leaves * leaves * square, _TINY)
     target = touch.goal[0]
-    ring, size, iterations = 0, count, 0
+    ring, size, iterations, turn = 0, count, 0, 0.0
     while not square <= target and iterations < min(cap, _MOST):
         last = size
+        for place in range(size if iterations > 0 else 0):
+            i = at(reach, place)
+            store(direction, i, load(image, i, lanes) + turn * load(direction, i, lanes), lanes)
         for place in range(ring, last):
             row = at(reach, place)
             for e in range(at(op.pointer, row), at(op.pointer, row + 1)):
@@ -211,25 +194,28 @@ def correct_near(
         new = total(energy)
         turn, square = new / square, new
         iterations += 1
-        for place in range(size):
-            i = at(reach, place)
-            store(direction, i, load(image, i, lanes) + turn * load(direction, i, lanes), lanes)
-    if weighs:
-        _weigh(op, work, touch, values, scale, gain, size, lanes)
-    most = 0.0
+    # Of a change Δ: `v̂ᵀ b` changes by `Δᵀ b`, and `v̂ᵀ A v̂` by `(A Δ)ᵀ (2 v̂ + Δ)`, where A Δ is what conjugate gradients
+    # took off the residual: both on the rows alone that it reached.
+    most, given, taken = zero, zero, zero
     for place in range(size):
         i = at(reach, place)
-        more = gain * load(answer, i, lanes)
-        store(work.mean, i, load(work.mean, i, lanes) + more, lanes)
+        more, rate, off = gain * load(answer, i, lanes), load(work.mean, i, lanes), zero - load(residual, i, lanes)
+        store(work.mean, i, rate + more, lanes)
         store(direction, i, zero, lanes)
-        most = max(most, total(more * more))
-        if place >= count:
-            mark[i] = 0
-            continue
-        said = load(touch.said, i, lanes)
-        left = said + gain * (load(touch.push, i, lanes) - said)
-        for a in range(axes):
-            left = left - gain * answer[i, a] * load(stiff, 3 * place + a, lanes)
-        store(touch.said, i, left, lanes)
-    touch.quick[0] += math.sqrt(most if axes == 3 else 3.0 * most)
+        most = upper(most, more * more)
+        if place < count:
+            missed = load(touch.missed, i, lanes)
+            held = zero
+            for a in range(axes):
+                held = held + answer[i, a] * load(stiff, 3 * place + a, lanes)
+            store(touch.said, i, load(touch.said, i, lanes) + gain * (missed - held), lanes)
+            off = off + missed - held
+        else:
+            put(mark, i, 0)
+        given = given + more * load(work.rhs, i, lanes)
+        taken = taken + off * (2.0 * rate + more)
+    if weighs:
+        touch.given[0] += total(given)
+        touch.given[1] += gain * total(taken) - total(given)
+    touch.quick[0] += math.sqrt(total(most) if axes == 3 else 3.0 * total(most))
     return iterations

@@ -13,7 +13,9 @@ from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import Tools
 
 _NOTHING = 1e-17  # of the energy in a depth of a tool's radius, it is out of the skin
-_ROUNDED = 1e-9  # a change of energy by so little was not made from outside
+# A change of energy by so little was not made from outside: what a step left to the next, or foretold; and by so little
+# that what a look sums, which suffices for forces, may not tell it.
+_LEFT, _TOLD = 1e-6, 3e-5
 
 
 @part
@@ -42,7 +44,7 @@ def begin_tool(law: Any, surface: Surface, touch: ContactWork, tools: Tools, t: 
         tools.inside[t], tools.share[t] = 0, 1.0
     elif tools.inside[t] == 0 and share == 0.0:
         tools.share[t] = 0.0
-    elif tools.inside[t] == 0 and pressed > have:
+    elif tools.inside[t] == 0 and pressed > (1.0 + _LEFT) * have:
         tools.share[t] *= have / pressed
 
 
@@ -68,15 +70,15 @@ def feel_first(law: Any, surface: Surface, touch: ContactWork, tools: Tools, t: 
         T: length of the step [s].
     """
     tells = _tells(surface, touch, tools, t)
-    middle = feel_tool(law, surface, touch, tools, t, T, tells)
+    middle = feel_tool(law, surface, touch, tools, t, T)
     if not tells:
         return
     square = 0.0
     for a in range(3):
         square += touch.mean[t, a] ** 2 + touch.skin[t, a] ** 2
     start = middle + 0.5 * T * pressing(touch, t) - T * touch.grip[t, 0] * square
-    if start > (1.0 + _ROUNDED) * touch.pressed[t, 0] and soften(law, surface, touch, tools, t):
-        feel_tool(law, surface, touch, tools, t, T, False)
+    if start > (1.0 + _TOLD) * touch.pressed[t, 0] and soften(law, surface, touch, tools, t):
+        feel_tool(law, surface, touch, tools, t, T)
 
 
 @part
@@ -91,7 +93,7 @@ def soften(law: Any, surface: Surface, touch: ContactWork, tools: Tools, t: int)
         t: which of them.
     """
     pressed = press_tool(law, surface, touch, tools, t, 0.0, 0.0, True)
-    if pressed <= touch.pressed[t, 0]:
+    if pressed <= (1.0 + _LEFT) * touch.pressed[t, 0]:
         return False
     tools.share[t] *= touch.pressed[t, 0] / pressed
     return True

@@ -21,7 +21,8 @@ from cotouch.arrays import Float
 from cotouch.mechanics._angle import angles
 from cotouch.mechanics._contact_law import press
 from cotouch.mechanics._kernel import inner, part
-from cotouch.mechanics._vector import FOUR, four, lane, load, lower, root, splat, total, upper, where
+from cotouch.mechanics._matrix3 import Vector, cross
+from cotouch.mechanics._vector import FOUR, at, four, lane, load, lower, root, size, splat, store, total, upper, where
 
 
 def _gauss(points: int) -> tuple[tuple[float, ...], tuple[float, ...]]:
@@ -44,13 +45,152 @@ _SHALLOW, _BETWEEN = 0.25, 0.5 / math.sqrt(7.0)
 _NEAR = 1e-8
 # A triangle whose sine at a corner is smaller than the root of this is a line.
 _FLAT = 1e-24
+# An angle so small may be a whole turn that was rounded.
+_ROUNDED = 1e-9
+# Rows of what `overlap` finds: whether they overlap; twice the area; height and square of the disc's radius; angle
+# beyond the sides. Then three for each: corners in the plane, from the foot; where each side's part in the disc begins,
+# and how much of it there is; unit vectors of the plane's first axis and of the normal.
+MEETS, _SIZE, _HEIGHT, _CUT, _TURNED = range(5)
+_X, _Y, _FIRST, _WITHIN, _AXIS, _NORMAL = range(5, 23, 3)
+FOUND = 23
+
+
+@part
+def overlap(a: Vector, b: Vector, c: Vector, square: float, found: Float) -> bool:
+    """Where four triangles, each a lane, lie in balls about the origin.
+
+    All that leads there is worked out for four at once: roots and quotients that wait for each other took three
+    quarters of the time when each triangle had its own.
+
+    Args:
+        a: first corner of each, from the ball's middle [m].
+        b: second ones.
+        c: third ones.
+        square: of the balls' radii [m²].
+        found: result, (FOUND, 4), all of it only if any overlap.
+
+    Returns:
+        Whether any do.
+    """
+    zero = splat(0.0, FOUR)
+    gap = zero
+    for q in range(3):
+        near = upper(upper(lower(lower(a[q], b[q]), c[q]), zero - upper(upper(a[q], b[q]), c[q])), zero)
+        gap = gap + near * near
+    if not _any(square - gap):
+        return False
+    u, v = _apart(b, a), _apart(c, a)
+    m = cross(u, v)
+    wide, long = _dot(m, m), _dot(u, u)
+    real = wide - _FLAT * long * _dot(v, v)
+    wide, length = root(where(real, wide, 1.0)), root(where(real, long, 1.0))
+    every = 1.0 / (wide * length)
+    m, u = _scaled(every * length, m), _scaled(every * wide, u)
+    w = cross(m, u)
+    height = zero - _dot(a, m)
+    disc = square - height * height
+    x0, y0 = _dot(a, u), _dot(a, w)
+    x1, x2, y2 = x0 + length, x0 + _dot(v, u), y0 + _dot(v, w)
+    store(found, _X, x0, FOUR)
+    store(found, _X + 1, x1, FOUR)
+    store(found, _X + 2, x2, FOUR)
+    store(found, _Y, y0, FOUR)
+    store(found, _Y + 1, y0, FOUR)
+    store(found, _Y + 2, y2, FOUR)
+    inside = lower(lower(x0 * y0 - y0 * x1, x1 * y2 - y0 * x2), x2 * y0 - y2 * x0)
+    p, q, r = (
+        _cuts(x0, y0, x1 - x0, zero, disc),
+        _cuts(x1, y0, x2 - x1, y2 - y0, disc),
+        _cuts(x2, y2, x0 - x2, y0 - y2, disc),
+    )
+    every = 1.0 / (p[0] * q[0] * r[0])  # one quotient for all
+    within = _chord(p, every * q[0] * r[0], found, 0)
+    within = upper(within, _chord(q, every * p[0] * r[0], found, 1))
+    within = upper(within, _chord(r, every * p[0] * q[0], found, 2))
+    meets = lower(lower(upper(inside, within), real), disc)
+    store(found, MEETS, meets, FOUR)
+    if not _any(meets):
+        return False
+    # The angle of a product is the sum of the angles. It is at least 0, and a whole turn at most; which of these two it
+    # is where rounding does not tell, sides do.
+    gx, gy = splat(1.0, FOUR), zero
+    for side in range(3):
+        x, y, dx, dy = _side(found, side)
+        kx, ky = _beyond(x, y, dx, dy, load(found, _FIRST + side, FOUR), load(found, _WITHIN + side, FOUR))
+        gx, gy = gx * kx - gy * ky, gx * ky + gy * kx
+    turned = angles(gx, gy)
+    whole = where(lower(inside, 0.5 - within), _ROUNDED - turned, zero - _ROUNDED - turned)
+    turned = where(whole, 2.0 * math.pi + turned, upper(turned, zero))
+    store(found, _SIZE, wide, FOUR)
+    store(found, _HEIGHT, height, FOUR)
+    store(found, _CUT, disc, FOUR)
+    store(found, _TURNED, turned, FOUR)
+    for q in range(3):
+        store(found, _AXIS + q, u[q], FOUR)
+        store(found, _NORMAL + q, m[q], FOUR)
+    return True
+
+
+@part
+def overlap_one(spot: Float, square: float, found: Float) -> bool:
+    """`overlap` of one triangle with four balls about one middle.
+
+    Args:
+        spot: its corners and the middle of the balls, (4, 4) [m].
+        square: of the balls' radii [m²].
+        found: result, (FOUND, 4).
+    """
+    return overlap(_everywhere(spot, 0), _everywhere(spot, 1), _everywhere(spot, 2), square, found)
+
+
+@inner
+def _everywhere(spot: Float, q: int) -> Vector:
+    x, y, z = spot[q, 0] - spot[3, 0], spot[q, 1] - spot[3, 1], spot[q, 2] - spot[3, 2]
+    return splat(x, FOUR), splat(y, FOUR), splat(z, FOUR)
+
+
+@inner
+def _any(values: float) -> bool:
+    """Whether any of four numbers is above 0."""
+    return lane(values, 0) > 0.0 or lane(values, 1) > 0.0 or lane(values, 2) > 0.0 or lane(values, 3) > 0.0
+
+
+@inner
+def _apart(a: Vector, b: Vector) -> Vector:
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+@inner
+def _dot(a: Vector, b: Vector) -> float:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+@inner
+def _scaled(p: float, a: Vector) -> Vector:
+    return p * a[0], p * a[1], p * a[2]
+
+
+@inner
+def _side(found: Float, side: int) -> tuple[float, float, float, float]:
+    """Where a side begins in the plane of each triangle, and how far it goes."""
+    after = side + 1 if side < 2 else 0
+    x, y = load(found, _X + side, FOUR), load(found, _Y + side, FOUR)
+    return x, y, load(found, _X + after, FOUR) - x, load(found, _Y + after, FOUR) - y
 
 
 @part
 def press_triangle(
-    law: Any, stiffness: float, radius: float, area: float, forces: bool, energies: bool, spot: Float, out: Float
+    law: Any,
+    stiffness: float,
+    radius: float,
+    area: float,
+    forces: bool,
+    energies: bool,
+    found: Float,
+    n: int,
+    out: Float,
 ) -> float:
-    """Adds what one ball does on one triangle.
+    """What one ball does on one triangle that it overlaps.
 
     Args:
         law: of the contact.
@@ -59,42 +199,20 @@ def press_triangle(
         area: of the triangle at rest; what it holds does not grow as it is stretched [m²].
         forces: whether to add more than the energy.
         energies: whether the energy is that of the state, rather than what suffices for forces.
-        spot: its corners and the middle of the ball, (4, 4) [m].
-        out: rows 0 to 2: force on each corner [N], and its share of the pressure's sum [N]; row 3: the sum of the
-            slopes for each corner [N/m], and the energy [J]; (4, 4).
+        found: by `overlap`.
+        n: the triangle's lane there.
+        out: result: rows 0 to 2: force on each corner [N], and its share of the pressure's sum [N]; row 3: the sum of
+            the slopes for each corner [N/m], and the energy [J]; (4, 4). Without forces only the last.
 
     Returns:
-        How much of the area at rest lies in the ball [m²]; 0: they do not overlap, and `out` is as it was.
+        How much of the area at rest lies in the ball [m²].
     """
-    ax, ay, az = spot[0, 0], spot[0, 1], spot[0, 2]
-    ux, uy, uz = spot[1, 0] - ax, spot[1, 1] - ay, spot[1, 2] - az
-    vx, vy, vz = spot[2, 0] - ax, spot[2, 1] - ay, spot[2, 2] - az
-    mx, my, mz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
-    size = math.sqrt(mx * mx + my * my + mz * mz)
-    length = math.sqrt(ux * ux + uy * uy + uz * uz)
-    if not size * size > _FLAT * length * length * (vx * vx + vy * vy + vz * vz):
-        return 0.0
-    mx, my, mz = mx / size, my / size, mz / size
-    px, py, pz = spot[3, 0] - ax, spot[3, 1] - ay, spot[3, 2] - az
-    height = px * mx + py * my + pz * mz
-    disc = radius * radius - height * height
-    if disc <= 0.0:
-        return 0.0
-    ux, uy, uz = ux / length, uy / length, uz / length
-    wx, wy, wz = my * uz - mz * uy, mz * ux - mx * uz, mx * uy - my * ux
-    # Corners in the plane, from the foot.
-    x0, y0 = -(px * ux + py * uy + pz * uz), -(px * wx + py * wy + pz * wz)
-    x1, y1 = x0 + length, y0
-    x2, y2 = x0 + vx * ux + vy * uy + vz * uz, y0 + vx * wx + vy * wy + vz * wz
-    x, y = four(x0, x1, x2, x0), four(y0, y1, y2, y0)
-    dx, dy = four(x1 - x0, x2 - x1, x0 - x2, 1.0), four(y1 - y0, y2 - y1, y0 - y2, 0.0)
-    first, last = _chords(x, y, dx, dy, disc)
-    inside = x0 * y1 - y0 * x1 > 0.0 and x1 * y2 - y1 * x2 > 0.0 and x2 * y0 - y2 * x0 > 0.0
-    within = last - first
-    if not (inside or lane(within, 0) > 0.0 or lane(within, 1) > 0.0 or lane(within, 2) > 0.0):
-        return 0.0
-    sweep = _beyond(x, y, dx, dy, first, last)
-    turned = lane(sweep, 0) + lane(sweep, 1) + lane(sweep, 2)
+    double, height, disc, turned = (
+        at(found, (_SIZE, n)),
+        at(found, (_HEIGHT, n)),
+        at(found, (_CUT, n)),
+        at(found, (_TURNED, n)),
+    )
     edge, deeper = math.sqrt(disc), 1.0 / (2.0 * radius)
     top, zero = disc * deeper, splat(0.0, FOUR)
     ue = zero
@@ -102,7 +220,7 @@ def press_triangle(
         r = edge * load(_DISC, k, FOUR)
         energy, _, _ = press(law, stiffness, radius, upper(top - deeper * (r * r), zero))
         ue = ue + (turned * edge) * (load(_DISC, 2 + k, FOUR) * (r * energy))
-    covered, scale = 0.5 * turned * disc, area / (0.5 * size)
+    covered, scale = 0.5 * turned * disc, area / (0.5 * double)
     # Over four points of a side at once: pressure and slopes; what comes of the energy, and of the pressure, on sides.
     uc, us, upx, upy, uxx, uxy, uyy, uhx, uhy = zero, zero, zero, zero, zero, zero, zero, zero, zero
     # From the foot to the edge of the disc.
@@ -111,10 +229,12 @@ def press_triangle(
     foot, hard, firm = lane(deepest, 0), lane(hardest, 0), lane(firmest, 0)
     sums = energies or not forces or top > _SHALLOW * radius
     for side in range(3):
-        begin, share = lane(first, side), lane(within, side)
+        begin, share = at(found, (_FIRST + side, n)), at(found, (_WITHIN + side, n))
         if not share > 0.0:
             continue
-        fx, fy, tx, ty = lane(x, side), lane(y, side), lane(dx, side), lane(dy, side)
+        after = side + 1 if side < 2 else 0
+        fx, fy = at(found, (_X + side, n)), at(found, (_Y + side, n))
+        tx, ty = at(found, (_X + after, n)) - fx, at(found, (_Y + after, n)) - fy
         place = begin + share * load(_SIDE, 0, FOUR)
         ex, ey = fx + place * tx, fy + place * ty
         square = deeper * (ex * ex + ey * ey)
@@ -149,7 +269,7 @@ def press_triangle(
             uxy = uxy + (tx * ex - ty * ey) * energy
             uhx, uhy = uhx - ty * pressure, uhy + tx * pressure
     se = total(ue)
-    out[3, 3] += scale * se
+    out[3, 3] = scale * se
     if not forces:
         return scale * covered
     # Sums over the plane: pressure and slopes; pressure times x, y, xx, xy, yy, of the radius; slopes times x, y.
@@ -158,7 +278,12 @@ def press_triangle(
     ss = 0.5 * (turned * disc * ss + total(us))
     sx, sy, sxx, sxy, syy = total(upx), total(upy), se + total(uxx), 0.5 * total(uxy), se + total(uyy)
     hx, hy = radius * total(uhx), radius * total(uhy)
-    own, per = 1.0 / size, scale / radius
+    own, per = 1.0 / double, scale / radius
+    ux, uy, uz = at(found, (_AXIS, n)), at(found, (_AXIS + 1, n)), at(found, (_AXIS + 2, n))
+    mx, my, mz = at(found, (_NORMAL, n)), at(found, (_NORMAL + 1, n)), at(found, (_NORMAL + 2, n))
+    wx, wy, wz = my * uz - mz * uy, mz * ux - mx * uz, mx * uy - my * ux
+    x0, x1, x2 = at(found, (_X, n)), at(found, (_X + 1, n)), at(found, (_X + 2, n))
+    y0, y1, y2 = at(found, (_Y, n)), at(found, (_Y + 1, n)), at(found, (_Y + 2, n))
     for corner in range(3):
         bx, by = (x1, y1) if corner == 0 else (x2, y2) if corner == 1 else (x0, y0)
         cx, cy = (x2, y2) if corner == 0 else (x0, y0) if corner == 1 else (x1, y1)
@@ -168,36 +293,53 @@ def press_triangle(
         along = (l0 * sx + lx * sxx + ly * sxy) * scale
         beside = (l0 * sy + lx * sxy + ly * syy) * scale
         down = -height * borne * per
-        out[corner, 0] += along * ux + beside * wx + down * mx
-        out[corner, 1] += along * uy + beside * wy + down * my
-        out[corner, 2] += along * uz + beside * wz + down * mz
-        out[corner, 3] += scale * borne
-        out[3, corner] += scale * max(l0 * ss + lx * hx + ly * hy, 0.0)
+        out[corner, 0] = along * ux + beside * wx + down * mx
+        out[corner, 1] = along * uy + beside * wy + down * my
+        out[corner, 2] = along * uz + beside * wz + down * mz
+        out[corner, 3] = scale * borne
+        out[3, corner] = scale * max(l0 * ss + lx * hx + ly * hy, 0.0)
     return scale * covered
 
 
 @inner
-def _chords(x: float, y: float, dx: float, dy: float, disc: float) -> tuple[float, float]:
-    """Between which shares of each side it lies in a disc about the origin; the second is not larger: nowhere."""
-    zero, one = splat(0.0, FOUR), splat(1.0, FOUR)
+def _cuts(x: float, y: float, dx: float, dy: float, disc: float) -> tuple[float, float, float, float]:
+    """At which shares of a side its line cuts a disc about the origin, as quotients.
+
+    Returns:
+        What to divide by; for the one and the other share; whether the one is the smaller. Where the line misses the
+        disc, the smaller is 1 and the other 0.
+    """
+    zero = splat(0.0, FOUR)
     square, along, under = dx * dx + dy * dy, x * dx + y * dy, disc - (x * x + y * y)
     seen = along * along + square * under
     far = root(upper(seen, zero))
     # Each root by the form that does not cancel.
-    q = where(along, along + far, along - far)
-    a, b = (0.0 - q) / square, under / q
-    first, last = upper(where(along, a, b), zero), lower(where(along, b, a), one)
-    return where(seen, first, one), where(seen, last, zero)
+    q = where(seen, where(along, along + far, along - far), 1.0)
+    by = square * q
+    return by, where(seen, zero - q * q, by), where(seen, under * square, 0.0), where(seen, along, 1.0)
 
 
 @inner
-def _beyond(x: float, y: float, dx: float, dy: float, first: float, last: float) -> float:
-    """Angles that the parts of each side outside of the disc are seen under from the foot.
+def _chord(cuts: tuple[float, float, float, float], every: float, found: Float, side: int) -> float:
+    """Keeps which part of a side lies in the disc; returns how much of it, not above 0: nothing."""
+    a, b = every * cuts[1], every * cuts[2]
+    first = upper(where(cuts[3], a, b), splat(0.0, FOUR))
+    within = lower(where(cuts[3], b, a), splat(1.0, FOUR)) - first
+    store(found, _FIRST + side, first, FOUR)
+    store(found, _WITHIN + side, within, FOUR)
+    return within
 
-    Of a side less that of its part within the disc: both have one sign, and the difference is less than half a turn.
+
+@inner
+def _beyond(x: float, y: float, dx: float, dy: float, first: float, within: float) -> tuple[float, float]:
+    """A vector of the angle that the parts of a side outside of the disc are seen under from the foot.
+
+    Of the side less that of its part within the disc: both have one sign, and the difference is less than half a turn.
     """
-    share, cross = upper(last - first, splat(0.0, FOUR)), x * dy - y * dx
+    one = splat(1.0, FOUR)
+    share, beside, last = upper(within, splat(0.0, FOUR)), x * dy - y * dx, first + within
     whole = x * (x + dx) + y * (y + dy)
     gx, gy, kx, ky = x + first * dx, y + first * dy, x + last * dx, y + last * dy
-    inner_part = where(share, gx * kx + gy * ky, 1.0)
-    return angles(whole * inner_part + (share * cross) * cross, cross * (inner_part - share * whole))
+    inner_part = where(share, gx * kx + gy * ky, one)
+    along, across = whole * inner_part + (share * beside) * beside, beside * (inner_part - share * whole)
+    return where(size(along) + size(across), along, one), across

@@ -11,9 +11,9 @@ from math import pi
 from typing import Any
 
 from cotouch.mechanics._contact_law import press
-from cotouch.mechanics._contact_patch import press_triangle
+from cotouch.mechanics._contact_patch import MEETS, press_triangle
 from cotouch.mechanics._contact_relief import press_relief
-from cotouch.mechanics._contact_skin import forget_hits, note_hit, place_bead, place_face
+from cotouch.mechanics._contact_skin import forget_hits, meet_four, note_hit, place_bead, place_face
 from cotouch.mechanics._contact_snap import draw_tool
 from cotouch.mechanics._contact_sweep import beads
 from cotouch.mechanics._contact_work import ContactWork
@@ -81,20 +81,26 @@ def _sum(
     corner, soft = surface.corner, surface.soft
     near, spot, out = work.near, work.spot, work.out
     faces, energy, stiffness, radius = near.shape[1], 0.0, tools.stiffness[t], tools.radius[t]
-    lacking, reach = 0.0, radius + surface.relief.top
+    lacking, reach, rough, met = 0.0, radius + surface.relief.top, surface.relief.top > 0.0, False
+    forces = share != 0.0 or soft.shape[0] > 0
     patch, firm, whole, pull, axes = 0.0, 0.0, 0.0, splat(0.0, FOUR), four(share, share, share, 0.0)
     for bead in range(beads(tools, t)):
         place_bead(work, tools, t, bead, time)
         for c in range(work.number[t]):
+            if c % 4 == 0:
+                met = meet_four(work, corner, t, c, time, radius)
+            meets = met and at(work.met, (MEETS, c % 4)) > 0.0
             f = near[t, c]
-            if place_face(work, f, corner, time) >= reach * reach:
+            if rough and place_face(work, f, corner, time) >= reach * reach:
                 continue
-            for q in range(4):
+            if not (meets or rough):
+                continue
+            area, covered = tools.share[t] * surface.area[f], 0.0
+            for q in range(4 if not meets else 0):
                 store(out, q, splat(0.0, FOUR), FOUR)
-            area = tools.share[t] * surface.area[f]
-            forces = share != 0.0 or soft.shape[0] > 0
-            covered = press_triangle(law, stiffness, radius, area, forces, energies, spot, out)
-            if surface.relief.top > 0.0:
+            if meets:
+                covered = press_triangle(law, stiffness, radius, area, forces, energies, work.met, c % 4, out)
+            if rough:
                 covered += press_relief(law, stiffness, radius, area, forces, surface.relief, f, spot, out)
             if not covered > 0.0:
                 continue
@@ -226,14 +232,14 @@ def rub(work: ContactWork, tools: Tools, t: int, time: float, T: float) -> tuple
 
 
 @part
-def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: int, T: float, first: bool) -> float:
+def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: int, T: float) -> float:
     """Gathers the mean force of a step's contact, on tool and skin, as it would be by the present guess of the motion.
 
     Energy along a straight way changes by the mean of its slope, which two points of Gauss's rule give to fourth order.
     Where that way is short, the middle alone is as good.
 
     Returns:
-        In a first look at one whose way is short, the energy of its pressure in the middle [J].
+        Of one whose way is short, the energy of its pressure in the middle, as well as forces need it [J].
     """
     forget_hits(work, t)
     work.total[t], work.patch[t], work.grip[t, 0], work.grip[t, 1] = 0.0, 0.0, 0.0, 0.0
@@ -242,7 +248,7 @@ def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: in
         work.way[t, a] = 0.0
     half, energy = 0.5 / math.sqrt(3.0), 0.0
     if work.slow[t] != 0:
-        energy = press_tool(law, surface, work, tools, t, 0.5 * T, 1.0, first)
+        energy = press_tool(law, surface, work, tools, t, 0.5 * T, 1.0, False)
     else:
         press_tool(law, surface, work, tools, t, (0.5 - half) * T, 0.5, False)
         press_tool(law, surface, work, tools, t, (0.5 + half) * T, 0.5, False)
@@ -277,14 +283,10 @@ def _resist(surface: Surface, work: ContactWork, tools: Tools, t: int, T: float)
         approach -= work.way[t, a] * (work.mean[t, a] - work.skin[t, a])
     corner, near = surface.corner, work.near
     for n in range(work.hits[t]):
+        f = at(near, (t, at(work.hit, (t, n))))
         for q in range(3):
-            v, long = corner[near[t, work.hit[t, n]], q], 0.0
-            if work.firm[v] > 0.0:
-                for a in range(3):
-                    long += work.force[v, a] * work.force[v, a]
-                long = math.sqrt(long)
-                for a in range(3):
-                    work.ward[v, a] = work.force[v, a] / long if long > 0.0 else 0.0
+            v = at(corner, (f, q))
+            store(work.ward, v, load(work.force, v, FOUR), FOUR)
     if tools.friction[t] <= 0.0 and tools.loss[t] <= 0.0 and tools.viscosity[t] <= 0.0:
         return
     _, _, share = rub(work, tools, t, T, T)
@@ -299,13 +301,11 @@ def _resist(surface: Surface, work: ContactWork, tools: Tools, t: int, T: float)
     work.grip[t, 1] += grip + film
     extra = damper + grip + film
     for n in range(work.hits[t]):
-        c = work.hit[t, n]
+        c = at(work.hit, (t, n))
+        f, place = at(near, (t, c)), t * faces + c
         for q in range(3):
-            part_of = work.load[t * faces + c, q] / work.total[t]
-            if part_of != 0.0:
-                v = corner[near[t, c], q]
-                work.apart[v] += part_of * extra
-                for a in range(3):
-                    work.force[v, a] -= part_of * work.across[t, a]
+            part_of, v = at(work.load, (place, q)) / work.total[t], at(corner, (f, q))
+            put(work.apart, v, at(work.apart, v) + part_of * extra)
+            store(work.force, v, load(work.force, v, FOUR) - part_of * load(work.across, t, FOUR), FOUR)
     for a in range(3):
         work.pull[t, a] += work.across[t, a]

@@ -12,7 +12,8 @@ from cotouch.mechanics._state import State
 from cotouch.mechanics._tools import Tools
 from cotouch.mechanics._vector import at, load, splat, total
 
-# The change of forces at which looks end: of a linear body; of one with a material, that hardly moves and at most.
+# The change of forces at which looks end: where they solve the whole body; of one with a material, that hardly moves;
+# and at most.
 _SETTLED, _EXACT, _COARSE = 1e-6, 1e-9, 3e-5
 # Of the energy of a body that moves, what forces may still leave to its closure.
 _LITTLE = 5e-5
@@ -45,8 +46,10 @@ def settled(
 
     What contacts do beside what they were said to is work that the end velocity must make up for; what rests has none.
     """
-    if force is None or not near:
+    if not near:
         return _SETTLED
+    if force is None:
+        return _COARSE
     if force.parts is not None or not change < math.inf:
         return _EXACT
     missed = 0.0

@@ -5,12 +5,15 @@ import math
 
 from cotouch.arrays import Float, Int
 from cotouch.mechanics._contact_near import touched
+from cotouch.mechanics._contact_patch import overlap
 from cotouch.mechanics._contact_sweep import bead_place
 from cotouch.mechanics._contact_work import ContactWork
-from cotouch.mechanics._kernel import part
-from cotouch.mechanics._surface import Surface, box_distance, place_vertex
+from cotouch.mechanics._fours import Quad, corner_rows, elements, four_rows
+from cotouch.mechanics._kernel import inner, part
+from cotouch.mechanics._matrix3 import Vector
+from cotouch.mechanics._surface import Surface, box_distance, farthest, place_vertex
 from cotouch.mechanics._tools import Tools
-from cotouch.mechanics._vector import FOUR, at, load, lower, splat, store, total, upper
+from cotouch.mechanics._vector import FOUR, at, four, load, lower, put, size, splat, store, total, transposed, upper
 
 
 @part
@@ -26,58 +29,69 @@ def fastest(surface: Surface, velocity: Float, lanes: tuple[int, ...]) -> float:
                 most += rate * (abs(surface.lean[i, a]) + surface.spread[i, a])
             square += most * most
         return math.sqrt(square)
-    if width > 1:  # the larger in each lane, of two rows at a time: a maximum waits for the one before
-        even = odd = splat(0.0, lanes)
-        for i in range(0, rows - 1, 2):
-            first, second = load(velocity, i, lanes), load(velocity, i + 1, lanes)
-            even, odd = upper(even, first * first), upper(odd, second * second)
-        last = load(velocity, rows - 1, lanes)
-        return surface.swing * math.sqrt(total(upper(upper(even, odd), last * last)))
+    if width > 1:
+        return surface.swing * math.sqrt(farthest(velocity, velocity, 0.0, lanes))
     for i in range(rows):
         square = max(square, 3.0 * velocity[i, 0] * velocity[i, 0])
     return math.sqrt(square)
+
+
+@inner
+def found_fastest(surface: Surface, work: ContactWork, mean: Float, lanes: tuple[int, ...]) -> float:
+    """`fastest` after a solve, of which `say` found the fastest row."""
+    if surface.shape.shape[0] == 0 and mean.shape[1] > 1:
+        return surface.swing * work.quick[0]
+    return fastest(surface, mean, lanes)
 
 
 @part
 def look_around(
     surface: Surface, work: ContactWork, tools: Tools, t: int, reach: float, position: Float, lanes: tuple[int, ...]
 ) -> None:
-    """Notes every triangle that is no farther from the middle of a tool, and how far all are at least."""
+    """Notes every triangle that is no farther from the middle of a tool, its vertices, and how far all are at least."""
     fit, stack, near = work.fit, work.stack, work.near
-    place, corner, child, leaf = fit.place, surface.corner, surface.child, surface.leaf
-    hidden = fit.hidden
+    place, corner, child, leaf, fresh = fit.place, surface.corner, surface.child, surface.leaf, fit.fresh
     forget_hits(work, t)
     least = reach * reach
     x, y, z = tools.place[t, 0], tools.place[t, 1], tools.place[t, 2]
-    count, waiting = 0, 1
+    middle, zero = four(x, y, z, 0.0), splat(0.0, FOUR)
+    count, vertices, waiting = 0, 0, 1
+    work.turn[0] += 1
     stack[0] = 0
     while waiting > 0:
         waiting -= 1
         box = stack[waiting]
         if not box_distance(surface, fit, box, x, y, z, position, lanes) <= reach * reach:
             continue
-        left, right = child[box, 0], child[box, 1]
+        left, right = at(child, (box, 0)), at(child, (box, 1))
         if left >= 0:
             stack[waiting], stack[waiting + 1] = left, right
             waiting += 2
             continue
         for member in range(-1 - left, -1 - left + right):
-            f = leaf[member]
-            if hidden[f] != 0:
+            f = at(leaf, member)
+            if at(fit.hidden, f) != 0:
                 continue
-            for c in range(3):
-                place_vertex(surface, fit, corner[f, c], position, lanes)
-            gap = 0.0
-            for a in range(3):
-                own = tools.place[t, a]
-                p0, p1, p2 = place[corner[f, 0], a], place[corner[f, 1], a], place[corner[f, 2], a]
-                apart = max(min(p0, p1, p2) - own, own - max(p0, p1, p2), 0.0)
-                gap += apart * apart
+            low, high = splat(math.inf, FOUR), splat(-math.inf, FOUR)
+            for q in range(3):
+                v = at(corner, (f, q))
+                if at(fresh, v) != at(fit.number, 0):
+                    place_vertex(surface, fit, v, position, lanes)
+                vertex = load(place, v, FOUR)
+                low, high = lower(low, vertex), upper(high, vertex)
+            apart = upper(upper(low - middle, middle - high), zero)
+            gap = total(apart * apart)
             if gap <= reach * reach:
                 near[t, count] = f
                 count += 1
                 least = min(least, gap)
-    work.number[t], work.clear[t] = count, math.sqrt(least)
+                for q in range(3):
+                    v = at(corner, (f, q))
+                    if at(work.read, v) != at(work.turn, 0):
+                        put(work.read, v, at(work.turn, 0))
+                        put(work.vertex, (t, vertices), v)
+                        vertices += 1
+    work.number[t], work.vertices[t], work.clear[t] = count, vertices, math.sqrt(least)
 
 
 @part
@@ -109,6 +123,46 @@ def place_face(work: ContactWork, face: int, corner: Int, time: float) -> float:
 
 
 @part
+def meet_four(work: ContactWork, corner: Int, t: int, first: int, time: float, radius: float) -> bool:
+    """Where four of the triangles near a tool lie in the ball in row 3 of `spot`, after they moved for some time.
+
+    Args:
+        work: `met` gets what `overlap` finds.
+        corner: vertices of the triangles.
+        t: the tool.
+        first: which of those near it is the first of the four; the last stands in for what there is not.
+        time: how long they moved [s].
+        radius: of the ball [m].
+
+    Returns:
+        Whether any does.
+    """
+    own = t * work.near.shape[1]
+    a, b, c, d = elements(first, work.number[t] - 1)
+    faces = at(work.near, own + a), at(work.near, own + b), at(work.near, own + c), at(work.near, own + d)
+    one, two, three = (
+        corner_rows(corner, 3, faces, 0),
+        corner_rows(corner, 3, faces, 1),
+        corner_rows(corner, 3, faces, 2),
+    )
+    square = splat(radius * radius, FOUR)
+    return overlap(_seen(work, one, time), _seen(work, two, time), _seen(work, three, time), square, work.met)
+
+
+@inner
+def _seen(work: ContactWork, v: Quad, time: float) -> Vector:
+    """Where four vertices are after they moved for some time, from the point in row 3 of `spot`."""
+    middle, place, rate = load(work.spot, 3, FOUR), four_rows(work.fit.place, v), four_rows(work.rate, v)
+    x, y, z, _ = transposed(
+        (place[0] - middle) + time * rate[0],
+        (place[1] - middle) + time * rate[1],
+        (place[2] - middle) + time * rate[2],
+        (place[3] - middle) + time * rate[3],
+    )
+    return x, y, z
+
+
+@part
 def forget_hits(work: ContactWork, t: int) -> None:
     """Begins with no triangle that a tool does anything on."""
     faces = work.near.shape[1]
@@ -130,26 +184,20 @@ def note_hit(work: ContactWork, t: int, c: int) -> None:
 @part
 def read_rates(surface: Surface, work: ContactWork, t: int, mean: Float, lanes: tuple[int, ...]) -> None:
     """Works out how fast the vertices near a tool move."""
-    row, weight, shape, corner = surface.row, surface.weight, surface.shape, surface.corner
-    rate, near, modal, rows = work.rate, work.near, surface.shape.shape[0] > 0, mean.shape[0]
-    work.turn[0] += 1
-    for c in range(work.number[t]):
-        for q in range(3):
-            v = corner[near[t, c], q]
-            if work.read[v] == work.turn[0]:
-                continue
-            work.read[v] = work.turn[0]
-            speed = splat(0.0, FOUR)
-            if modal:
-                for i in range(rows):
-                    speed = speed + load(mean, i, lanes) * load(shape, v * rows + i, FOUR)
-                store(rate, v, speed, FOUR)
-                continue
-            if row.shape[2] == 1:
-                for k in range(row.shape[1]):
-                    speed = speed + at(weight, (v, k)) * load(mean, at(row, (v, k, 0)), FOUR)
-                store(rate, v, speed, FOUR)
-                continue
+    row, weight, shape = surface.row, surface.weight, surface.shape
+    rate, modal, rows = work.rate, surface.shape.shape[0] > 0, mean.shape[0]
+    for n in range(work.vertices[t]):
+        v = at(work.vertex, (t, n))
+        speed = splat(0.0, FOUR)
+        if modal:
+            for i in range(rows):
+                speed = speed + load(mean, i, lanes) * load(shape, v * rows + i, FOUR)
+            store(rate, v, speed, FOUR)
+        elif row.shape[2] == 1:
+            for k in range(row.shape[1]):
+                speed = speed + at(weight, (v, k)) * load(mean, at(row, (v, k, 0)), FOUR)
+            store(rate, v, speed, FOUR)
+        else:
             for a in range(3):
                 value = 0.0
                 for k in range(row.shape[1]):
@@ -169,8 +217,11 @@ def load_rows(surface: Surface, work: ContactWork, t: int, diagonal: Float) -> N
     """
     corner, near, hit = surface.corner, work.near, work.hit
     for n in range(work.hits[t]):
+        f = at(near, (t, at(hit, (t, n))))
         for q in range(3):
-            _load_vertex(surface, work, corner[near[t, hit[t, n]], q], diagonal)
+            v = at(corner, (f, q))
+            if at(work.firm, v) + at(work.apart, v) != 0.0 or total(size(load(work.force, v, FOUR))) != 0.0:
+                _load_vertex(surface, work, v, diagonal)
     for q in range(3 if work.caught[t, 0] != 0.0 else 0):
         _load_vertex(surface, work, corner[int(work.caught[t, 1]), q], diagonal)
 
@@ -181,8 +232,6 @@ def _load_vertex(surface: Surface, work: ContactWork, v: int, diagonal: Float) -
     ward, stiff, rows, wide = work.ward, work.stiff, push.shape[0], push.shape[1] > 1
     firm, apart = work.firm[v], work.apart[v]
     whole = firm + apart
-    if whole == 0.0 and force[v, 0] == 0.0 and force[v, 1] == 0.0 and force[v, 2] == 0.0:
-        return
     if shape.shape[0] > 0:
         for a in range(3):
             for i in range(rows):
@@ -192,6 +241,8 @@ def _load_vertex(surface: Surface, work: ContactWork, v: int, diagonal: Float) -
                     work.yields[a] += whole * share * share / diagonal[i]
     elif row.shape[2] == 1:
         along = load(ward, v, FOUR)
+        square = total(along * along)
+        own = firm / square if square > 0.0 else 0.0
         for k in range(row.shape[1]):
             share, i = at(weight, (v, k)), at(row, (v, k, 0))
             store(push, i, load(push, i, FOUR) + share * load(force, v, FOUR), FOUR)
@@ -199,7 +250,7 @@ def _load_vertex(surface: Surface, work: ContactWork, v: int, diagonal: Float) -
             share = at(surface.lever, v) * abs(share)  # one below 0, of what is rigid, resists as well
             hold[i] += share * whole
             for a in range(3):
-                store(stiff, place + a, load(stiff, place + a, FOUR) + (share * firm * ward[v, a]) * along, FOUR)
+                store(stiff, place + a, load(stiff, place + a, FOUR) + (share * own * at(ward, (v, a))) * along, FOUR)
                 stiff[place + a, a] += share * apart
     else:
         for a in range(3):

@@ -12,14 +12,14 @@ from math import pi
 
 from cotouch.arrays import Float
 from cotouch.mechanics._contact_foundation import Foundation, stiffness_of
-from cotouch.mechanics._contact_patch import press_triangle
+from cotouch.mechanics._contact_patch import MEETS, overlap_one, press_triangle
 from cotouch.mechanics._contact_skin import note_hit, place_bead, place_face
 from cotouch.mechanics._contact_sweep import beads
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import Tools
-from cotouch.mechanics._vector import FOUR, splat, store
+from cotouch.mechanics._vector import FOUR, at, four, splat, store
 
 # A change by more than this share of pull-off force and range was made from outside, and is no rounding.
 _CHANGED = 1e-9
@@ -29,7 +29,15 @@ _SHARE, _SLOW = 0.5, 0.01
 
 @part
 def draw_triangle(
-    pull_off: float, radius: float, width: float, area: float, forces: bool, spot: Float, out: Float, drawn: Float
+    pull_off: float,
+    radius: float,
+    width: float,
+    area: float,
+    forces: bool,
+    spot: Float,
+    met: Float,
+    out: Float,
+    drawn: Float,
 ) -> float:
     """Works out how one ball and one triangle draw each other.
 
@@ -40,6 +48,7 @@ def draw_triangle(
         area: of the triangle at rest [m²].
         forces: whether to work out more than the energy.
         spot: its corners and the middle of the ball, (4, 4) [m].
+        met: scratch, (FOUND, 4).
         out: scratch, (4, 4).
         drawn: result, as of `press_triangle`, of which the shares of the corners are not used.
 
@@ -55,12 +64,14 @@ def draw_triangle(
     size = 0.0
     for q in range(4):
         store(drawn, q, splat(0.0, FOUR), FOUR)
+    if not overlap_one(spot, four(square, square + half, square + 2.0 * half, 0.0), met):
+        return size
     for k in range(3):
-        for q in range(4):
-            store(out, q, splat(0.0, FOUR), FOUR)
+        if not at(met, (MEETS, k)) > 0.0:
+            continue
         ball = math.sqrt(square + k * half)
         stiffness = stiffness_of(modulus * ball * ball, ball)
-        press_triangle(Foundation(1.0), stiffness, ball, area, forces, False, spot, out)
+        press_triangle(Foundation(1.0), stiffness, ball, area, forces, False, met, k, out)
         sign = 2.0 if k == 1 else -1.0
         drawn[3, 3] += sign * out[3, 3]
         size += abs(sign * out[3, 3])
@@ -105,6 +116,7 @@ def draw_tool(
                 surface.area[f],
                 share != 0.0,
                 spot,
+                work.met,
                 work.out,
                 drawn,
             )

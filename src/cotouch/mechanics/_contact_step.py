@@ -18,7 +18,7 @@ from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_row
 from cotouch.mechanics._contact_outside import begin_tool, feel_first
 from cotouch.mechanics._contact_press import feel_tool, read_skin
 from cotouch.mechanics._contact_settled import changed, settled
-from cotouch.mechanics._contact_skin import fastest, load_rows, look_around, read_rates
+from cotouch.mechanics._contact_skin import fastest, found_fastest, load_rows, look_around, read_rates
 from cotouch.mechanics._contact_snap import begin_snap, end_snap, owed_drag
 from cotouch.mechanics._contact_solve import solve_touched
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
@@ -164,7 +164,7 @@ def contact_step(
             bent, moving = solve_touched(
                 op, ports, touch, state, work, T, number, modal, corrects, material, ledger, tolerance, cap, lanes
             )
-            touch.quick[0] = fastest(surface, mean, lanes)
+            touch.quick[0] = found_fastest(surface, touch, mean, lanes)
             if material and number < looks:
                 most = MOST_LOOKS if bent < was else 0
                 if directions <= number + 1 < most and not leaves_little(bent, was, moving, rounded):
@@ -354,7 +354,7 @@ def _look(
     if first:
         feel_first(law, surface, touch, tools, t, T)
     else:
-        feel_tool(law, surface, touch, tools, t, T, False)
+        feel_tool(law, surface, touch, tools, t, T)
     load_rows(surface, touch, t, diagonal)
     return changed(touch, t)
 

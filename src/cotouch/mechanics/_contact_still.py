@@ -6,10 +6,11 @@ from typing import Any
 import numpy as np
 
 from cotouch.arrays import Float, Int
-from cotouch.mechanics._contact_patch import press_triangle
+from cotouch.mechanics._contact_patch import FOUND, overlap_one, press_triangle
 from cotouch.mechanics._contact_relief import Relief, bare, press_relief
 from cotouch.mechanics._contact_snap import draw_triangle
 from cotouch.mechanics._kernel import block
+from cotouch.mechanics._vector import FOUR, splat
 
 
 def press_skin(
@@ -46,13 +47,13 @@ def press_skin(
     if area is None:
         a, b, c = (padded[faces[:, q], :3] for q in range(3))
         area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    spot, out, drawn = np.zeros((4, 4)), np.zeros((4, 4)), np.zeros((4, 4))
+    spot, met, out, drawn = np.zeros((4, 4)), np.zeros((FOUND, 4)), np.zeros((4, 4)), np.zeros((4, 4))
     spot[3, :3] = middle
     own = np.ascontiguousarray(area, dtype=np.float64)
     on, (pull_off, width) = relief or bare(), snap
     energy = _press_all(
         *(law, float(stiffness), float(radius), padded, faces, own, on),
-        *(float(pull_off), float(width), spot, out, drawn, force),
+        *(float(pull_off), float(width), spot, met, out, drawn, force),
     )
     return energy, force[:, :3]
 
@@ -69,6 +70,7 @@ def _press_all(
     pull_off: float,
     width: float,
     spot: Float,
+    met: Float,
     out: Float,
     drawn: Float,
     force: Float,
@@ -81,8 +83,9 @@ def _press_all(
         for q in range(4):
             for a in range(4):
                 out[q, a] = drawn[q, a] = 0.0
-        press_triangle(law, stiffness, radius, area[f], False, True, spot, drawn)
-        press_triangle(law, stiffness, radius, area[f], True, False, spot, out)
+        if overlap_one(spot, splat(radius * radius, FOUR), met):
+            press_triangle(law, stiffness, radius, area[f], False, True, met, 0, drawn)
+            press_triangle(law, stiffness, radius, area[f], True, False, met, 0, out)
         out[3, 3] = drawn[3, 3]
         if relief.top > 0.0:
             press_relief(law, stiffness, radius, area[f], True, relief, f, spot, out)
@@ -91,7 +94,7 @@ def _press_all(
             for a in range(3):
                 force[corner[f, q], a] += out[q, a]
         if pull_off > 0.0:
-            draw_triangle(pull_off, radius, width, area[f], True, spot, out, drawn)
+            draw_triangle(pull_off, radius, width, area[f], True, spot, met, out, drawn)
             energy += drawn[3, 3]
             for q in range(3):
                 for a in range(3):

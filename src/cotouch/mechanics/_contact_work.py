@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from cotouch.arrays import Float, Int
+from cotouch.mechanics._contact_patch import FOUND
 from cotouch.mechanics._model import Model
 from cotouch.mechanics._surface import Fit, Surface, fit_of
 from cotouch.mechanics._tools import MOST_HELD
@@ -32,11 +33,13 @@ class ContactWork(NamedTuple):
         patch: area at rest of the skin within each tool, (tools,) [m²].
         across: force of friction, film and damping on each tool, (tools, 4) [N].
         rate: velocity of the vertices, (V, 4) [m/s].
-        read: when the speed of a vertex was worked out last, (V,).
-        turn: how often that was done, (1,).
+        vertices: how many belong to those near each tool, (tools,).
+        vertex: which, (tools, V).
+        read: when a vertex was found to be near last, (V,).
+        turn: how often such were looked for, (1,).
         force: on the vertices, (V, 4) [N].
         firm: what resists motion of the vertices, (V,) [Ns/m].
-        ward: unit vector along what presses on each vertex, (V, 4).
+        ward: what presses on each vertex, (V, 4) [N].
         apart: what resists motion of the vertices on all axes besides, (V,) [Ns/m].
         push: on the rows, (rows, width) [N].
         hold: what resists motion of the rows, (rows,) [Ns/m].
@@ -58,6 +61,7 @@ class ContactWork(NamedTuple):
         yields: of a modal body: how much of what contacts and grasps do by a guess its answer takes back, on each
             axis, (3,).
         spot: corners and middle, (4, 4) [m].
+        met: where four triangles lie in a ball, as `overlap` finds it, (FOUND, 4).
         out: of one triangle, (4, 4).
         drawn: of one that draws a tool, (4, 4).
         mean: mean velocity of the tools, (tools, 4) [m/s].
@@ -97,6 +101,8 @@ class ContactWork(NamedTuple):
     patch: Float
     across: Float
     rate: Float
+    vertices: Int
+    vertex: Int
     read: Int
     turn: Int
     force: Float
@@ -121,6 +127,7 @@ class ContactWork(NamedTuple):
     found: Float
     yields: Float
     spot: Float
+    met: Float
     out: Float
     drawn: Float
     mean: Float
@@ -182,6 +189,8 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         patch=np.zeros(tools),
         across=row(),
         rate=np.zeros((vertices, 4)),
+        vertices=np.zeros(tools, dtype=np.int32),
+        vertex=np.zeros((tools, vertices), dtype=np.int32),
         read=np.zeros(vertices, dtype=np.int32),
         turn=np.zeros(1, dtype=np.int32),
         force=np.zeros((vertices, 4)),
@@ -206,6 +215,7 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         found=np.zeros((rows, model.width)),
         yields=np.zeros(3),
         spot=np.zeros((4, 4)),
+        met=np.zeros((FOUND, 4)),
         out=np.zeros((4, 4)),
         drawn=np.zeros((4, 4)),
         mean=row(),
