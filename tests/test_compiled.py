@@ -289,6 +289,32 @@ def test_two_processes_that_number_their_files_alike_are_told_apart(tmp_path: Pa
         assert ran("one", count) == 2 * count
 
 
+def inverse(x: float) -> float: ...
+
+
+@overload(inverse)
+def _(x: Any) -> Any:
+    def invert(x: Any) -> Any:
+        return 1.0 / x
+
+    return invert
+
+
+def test_a_call_means_what_its_caller_asks_for_however_often_it_was_met():
+    njit: Any = numba.njit
+
+    def caller(model: str) -> Any:
+        def call(x: float) -> float:
+            return inverse(x)
+
+        return njit(error_model=model)(call)
+
+    for _ in range(2):
+        assert caller("numpy")(0.0) == float("inf")
+        with pytest.raises(ZeroDivisionError):
+            caller("python")(0.0)
+
+
 NAMESAKES = """
 import sys
 from numba.extending import overload

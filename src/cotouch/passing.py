@@ -11,6 +11,7 @@ the kernel, and handed on as one address.
 import operator
 from collections.abc import Callable, Iterator, Sequence
 from copy import deepcopy
+from functools import cache
 from importlib import import_module
 from typing import Any, Generic, TypeVar, cast, final
 
@@ -49,6 +50,11 @@ class ByAddress(types.NamedTuple):
         """
         super().__init__(fields, table)
         self.name = f"*{self.name}"
+
+    @property
+    def key(self) -> Any:
+        """By which numba compares types: the name says all that the fields' types would, which it would hash again."""
+        return self.instance_class, self.name
 
 
 def by_address(table: T, *, unseen: str | None = None, told: Callable[[Any], None] | None = None) -> T:
@@ -220,6 +226,7 @@ def _numbers(kind: Any, path: tuple[int, ...] = ()) -> Iterator[tuple[Any, tuple
         yield kind, path
 
 
+@cache
 def _places(context: Any, kind: ByAddress) -> list[int]:
     """Where each field begins, in words, and where the last one ends."""
     ends = [0]
@@ -237,13 +244,29 @@ def _place(builder: Any, memory: Any, word: int, kind: Any) -> Any:
 def _field(context: Any, builder: Any, kind: Any, memory: Any, name: str) -> Any:
     index: int = kind.fields.index(name)
     fields, places = list[Any](kind), _places(context, kind)
-    field: Any = context.get_value_type(fields[index])
-    word = places[index]
-    value = ir.Constant(field, ir.Undefined)
-    for offset, (number, path) in enumerate(_numbers(field)):
-        read = _unchanging(builder, builder.load(_place(builder, memory, word + offset, number)))
-        value = builder.insert_value(value, read, path) if path else read
+    at = builder.gep(memory, [ir.Constant(ir.IntType(64), _WORD * places[index])], inbounds=True)
+    value = builder.call(_loader(builder.module, context.get_value_type(fields[index])), [at])
     return imputils.impl_ret_borrowed(context, builder, fields[index], value)
+
+
+def _loader(module: Any, kind: Any) -> Any:
+    """The function that loads a field of LLVM's type, number by number.
+
+    LLVM makes it a part of whoever calls it. Written out by numba for each access it was a third of all that numba
+    writes, and LLVM reads.
+    """
+    name = f"load {kind}"
+    if name in module.globals:
+        return module.globals[name]
+    loader = ir.Function(module, ir.FunctionType(kind, [_BYTES]), name)
+    loader.linkage = "linkonce_odr"
+    loader.attributes.add("alwaysinline")
+    builder, value = ir.IRBuilder(loader.append_basic_block("entry")), ir.Constant(kind, ir.Undefined)
+    for offset, (number, path) in enumerate(_numbers(kind)):
+        read = _unchanging(builder, builder.load(_place(builder, loader.args[0], offset, number)))
+        value = builder.insert_value(value, read, path) if path else read
+    builder.ret(value)
+    return loader
 
 
 @boxing.unbox(ByAddress)

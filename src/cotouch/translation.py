@@ -19,7 +19,9 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import Compiler, CompileResult
 from numba.core.environment import lookup_environment
 from numba.core.event import Event, Listener, register
-from numba.core.targetconfig import TargetConfig
+from numba.core.ir import Inst, Loc, Var
+from numba.core.targetconfig import ConfigStack, TargetConfig
+from numba.core.types.functions import BaseFunction
 
 _PACKAGE = Path(__file__).parent
 # How numba names a function's entry for Python, and its global variable for what it finds in Python.
@@ -60,6 +62,39 @@ def _number(options: Any) -> int:
 
 _options: Any = TargetConfig
 _options.__eq__, _options.__hash__ = _equal, _number
+
+
+def _call_type(self: Any, context: Any, args: Any, kws: Any) -> Any:
+    """Numba's search for what a function of its own returns, which tries some ten forms, for each call several times.
+
+    What was found once for arguments of such types and such options is found again.
+    """
+    key = self, context, args, tuple(kws.items()), ConfigStack.top_or_none()
+    if key not in _found:
+        found = _find_call_type(self, context, args, kws)
+        _found[key] = found, self._impl_keys[found.args]
+    found, code = _found[key]
+    self._impl_keys[found.args] = code  # the last that was found is what the call becomes, whatever its options
+    return found
+
+
+def _variables(self: Any, value: Any) -> list[Any]:
+    """Numba's list of what variables are in a part of a statement, of which most are none; it is asked very often."""
+    if isinstance(value, Var):
+        return [value]
+    if isinstance(value, Inst):
+        return value.list_vars()
+    inner = value.values() if isinstance(value, dict) else value if isinstance(value, (list, tuple)) else ()
+    return [variable for each in inner if type(each) not in _PLAIN for variable in _variables(self, each)]
+
+
+_PLAIN = frozenset({str, int, bool, type(None), Loc})
+_found: dict[Any, Any] = {}
+_functions: Any = BaseFunction
+_find_call_type = _functions.get_call_type
+_functions.get_call_type = _call_type
+_instructions: Any = Inst
+_instructions._rec_list_vars = _variables
 
 
 @final

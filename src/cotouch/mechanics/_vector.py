@@ -28,6 +28,8 @@ WIDTHS = (1, 4)
 # A row of four numbers, whatever the width of the body's own fields: places and normals.
 FOUR = (0, 0, 0, 0)
 _FLAGS = ("contract",)
+# Where numba's value of an array holds the address of its elements, and its shape.
+_DATA, _SHAPE = 4, 5
 
 
 class Vec(types.Type):
@@ -58,9 +60,8 @@ def _writable(array: Any) -> None:
         raise TypingError("Cannot modify readonly array")
 
 
-def _row(context: Any, builder: Any, array_type: Any, array: Any, row: Any, width: int) -> Any:
-    data = context.make_array(array_type)(context, builder, array).data
-    pointer = builder.gep(data, [builder.mul(row, ir.Constant(row.type, width))])
+def _row(builder: Any, array: Any, row: Any, width: int) -> Any:
+    pointer = builder.gep(builder.extract_value(array, _DATA), [builder.mul(row, ir.Constant(row.type, width))])
     return pointer if width == 1 else builder.bitcast(pointer, ir.VectorType(ir.DoubleType(), width).as_pointer())
 
 
@@ -86,7 +87,7 @@ def load(typingctx: Any, field: Any, row: Any, lanes: Any) -> Any:
     _contiguous(field)
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        pointer = _row(context, builder, signature.args[0], args[0], args[1], lanes.count)
+        pointer = _row(builder, args[0], args[1], lanes.count)
         return builder.load(pointer, align=8)
 
     return _type(lanes)(field, types.intp, lanes), generate
@@ -107,7 +108,7 @@ def store(typingctx: Any, field: Any, row: Any, value: Any, lanes: Any) -> Any:
     _writable(field)
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        pointer = _row(context, builder, signature.args[0], args[0], args[1], lanes.count)
+        pointer = _row(builder, args[0], args[1], lanes.count)
         builder.store(args[2], pointer, align=8)
         return context.get_dummy_value()
 
@@ -268,14 +269,14 @@ def _index(array: Any, index: Any) -> Any:
     return types.intp
 
 
-def _element(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-    view = context.make_array(signature.args[0])(context, builder, args[0])
+def _element(builder: Any, signature: Any, args: Any) -> Any:
+    data = builder.extract_value(args[0], _DATA)
     if signature.args[1] is types.intp:
-        return builder.gep(view.data, [args[1]])
+        return builder.gep(data, [args[1]])
     place, *steps = unpack_tuple(builder, args[1])
-    for extent, step in zip(unpack_tuple(builder, view.shape)[1:], steps, strict=True):
-        place = builder.add(builder.mul(place, extent), step)
-    return builder.gep(view.data, [place])
+    for axis, step in enumerate(steps, 1):
+        place = builder.add(builder.mul(place, builder.extract_value(args[0], (_SHAPE, axis))), step)
+    return builder.gep(data, [place])
 
 
 @intrinsic
@@ -294,7 +295,7 @@ def at(typingctx: Any, array: Any, index: Any) -> Any:
     integer = isinstance(dtype, types.Integer)
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        value = context.unpack_value(builder, dtype, _element(context, builder, signature, args))
+        value = context.unpack_value(builder, dtype, _element(builder, signature, args))
         return context.cast(builder, value, dtype, types.intp) if integer else value
 
     return (types.intp if integer else dtype)(array, _index(array, index)), generate
@@ -314,7 +315,7 @@ def put(typingctx: Any, array: Any, index: Any, value: Any) -> Any:
     _writable(array)
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        context.pack_value(builder, array.dtype, args[2], _element(context, builder, signature, args))
+        context.pack_value(builder, array.dtype, args[2], _element(builder, signature, args))
         return context.get_dummy_value()
 
     return types.void(array, _index(array, index), array.dtype), generate
