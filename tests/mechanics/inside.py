@@ -14,6 +14,7 @@ from cotouch.mechanics._solve import chebyshev, chebyshev_iterations, conjugate_
 from cotouch.mechanics._surface import Fit, box_distance, fit_of, place_vertex, refit
 from cotouch.mechanics._tool_walls import walls_of
 from cotouch.mechanics._vector import WIDTHS, four, root, transposed
+from cotouch.mechanics._world_points import shortened
 
 __all__ = [
     "EDGES",
@@ -40,6 +41,7 @@ __all__ = [
     "principal_stress",
     "refit",
     "root",
+    "shortened",
     "transposed",
     "walls_of",
 ]

@@ -3,9 +3,11 @@
 import numpy as np
 import numpy.typing as npt
 import pytest
+import scipy.sparse as sp
+from tests.mechanics.inside import shortened
 from tests.mechanics.materials import Alone, boxes
 
-from cotouch.body import Body, GridModel, body_from_tetrahedra, chain, lattice
+from cotouch.body import Body, GridModel, Placed, body_from_tetrahedra, chain, lattice, rigid_box, together
 from cotouch.errors import BodyError, UnsupportedError
 from cotouch.mechanics import (
     BETA,
@@ -19,14 +21,16 @@ from cotouch.mechanics import (
     WORLD_FORCE,
     WORLD_LOSS,
     WORLD_STORED,
+    Between,
     Box,
     Obstacle,
     Plane,
+    Solid,
     deepest_point,
     model,
 )
 
-Float = npt.NDArray[np.float64]
+Float, Int = npt.NDArray[np.float64], npt.NDArray[np.int64]
 G, SIDE = 9.81, 0.1
 # Rests at a depth of 98.1 µm with a weight of 1 kg on it.
 TABLE = Obstacle(shape=Plane(), stiffness=1e7, loss=1.0, friction=0.5, kinetic=0.4)
@@ -246,6 +250,52 @@ def test_depth_in_a_turned_box() -> None:
         assert (found > 0.0) == (deep > 0.0)
         if deep < 0.0:
             assert found == pytest.approx(deep, abs=1e-12)
+
+
+def bar() -> tuple[Float, Int]:
+    """A round bar of 2 m with many sides: long triangles along it, short ones at its ends."""
+    sides = 400
+    turn = 2 * np.pi * np.arange(sides) / sides
+    ring = np.stack([0.05 * np.cos(turn), 0.05 * np.sin(turn), np.ones(sides)], axis=1)
+    places = np.concatenate([ring * [1, 1, -1], ring, [[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]]])
+    a = np.arange(sides)
+    b = np.roll(a, -1)
+    middle, top = np.full(sides, 2 * sides), np.full(sides, 2 * sides + 1)
+    wall = [(a, b, b + sides), (a, b + sides, a + sides)]
+    return places, np.concatenate([np.stack(t, axis=1) for t in (*wall, (b, a, middle), (a + sides, b + sides, top))])
+
+
+def test_only_what_is_long_is_halved() -> None:
+    """The surface stays closed and what it was, and no triangle is longer than it may be."""
+    places, coarse = bar()
+    corners, origin = coarse, np.arange(coarse.shape[0], dtype=np.int64)
+    finer, carry, longest = places, sp.csr_array(sp.eye_array(places.shape[0])), np.inf
+    while longest > 0.05 and corners.shape[0] < 100_000:
+        finer, corners, carry, origin, longest = shortened(finer, corners, carry, origin, 0.05)
+    sides = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]])
+    assert np.linalg.norm(finer[sides[:, 0]] - finer[sides[:, 1]], axis=1).max() == longest <= 0.05
+    assert np.unique(sides, axis=0).shape == sides.shape
+    assert np.array_equal(np.unique(sides, axis=0), np.unique(sides[:, ::-1], axis=0))
+    assert carry @ places == pytest.approx(finer, abs=1e-15)
+
+    def areas(vertices: Float, triangles: Int) -> Float:
+        a, b, c = vertices[triangles].transpose(1, 0, 2)
+        return 0.5 * np.cross(b - a, c - a)
+
+    pieces = np.zeros((coarse.shape[0], 3))
+    np.add.at(pieces, origin, areas(finer, corners))
+    assert pieces == pytest.approx(areas(places, coarse), abs=1e-15)
+    assert np.einsum("fa,fa->f", areas(finer, corners), areas(places, coarse)[origin]).min() > 0.0
+
+
+def test_a_mesh_of_short_and_long_triangles_is_met() -> None:
+    """Halved as often everywhere, its skin would take 400,000 points and be refused."""
+    places, corners = bar()
+    block = together([Placed(body=rigid_box((0.1, 0.1, 0.1)), name="block")])
+    far = Obstacle(shape=Solid(places + np.array([0.0, 0.0, 3.0]), corners))
+    ready = model(block, obstacles=[far], between=Between())
+    assert ready.force is not None
+    assert ready.force.world is not None
 
 
 def test_bad_obstacles_are_refused() -> None:

@@ -160,6 +160,20 @@ def test_what_one_end_took_the_other_gave(exchange: list[Recording]) -> None:
     assert audit([old[0], one]).holds
 
 
+@pytest.mark.parametrize(("early", "accused"), [(0.9e-3, []), (2e-3, [1])])
+def test_a_step_may_use_what_comes_while_it_still_reads(
+    exchange: list[Recording], early: float, accused: list[int]
+) -> None:
+    """A process that stands still after it read the clock reads what its neighbour sent meanwhile."""
+    ann, ben = exchange
+    got, gave = ben.columns["received"][:, 0], ann.columns["sent"][:, 0]
+    steps = np.flatnonzero(np.diff(got) > 1e-6 * np.nanmax(got)) + 1
+    before = ann.columns["end"][np.searchsorted(gave, got[steps]) - 1]  # she had not given it yet
+    after = float(np.min(ben.columns["end"][steps] - before)) + ben.header.offset - ann.header.offset
+    late = replace(ann, columns={**ann.columns, "end": ann.columns["end"] + after + early})
+    assert [f.user for f in audit([late, ben]).findings if "had not given" in f.words] == accused
+
+
 def test_a_recording_that_was_cut_off_accuses_nobody(exchange: list[Recording]) -> None:
     """What the other gave after its last batch is not known."""
     ann, ben = exchange

@@ -200,15 +200,20 @@ def _points(
     corners, places = np.asarray(triangles, dtype=np.int64)[origin], np.asarray(vertices, dtype=np.float64)[:, :3]
     longest = float(np.linalg.norm(places[corners] - places[np.roll(corners, -1, axis=1)], axis=2).max())
     apart = _APART * thinnest.share * thinnest.size
+    coarse = places, corners, carry, origin
+    while longest > apart and 4 * places.shape[0] <= MOST_POINTS:
+        places, corners, carry = _halved(places, corners, carry)
+        origin = np.tile(origin, 4)
+        longest *= 0.5
+    if longest > apart:  # too many, if short triangles beside long ones are halved as often
+        places, corners, carry, origin = coarse
     while longest > apart:
-        if 4 * places.shape[0] > MOST_POINTS:
+        places, corners, carry, origin, longest = shortened(places, corners, carry, origin, apart)
+        if places.shape[0] > MOST_POINTS:
             raise BodyError(
                 f"{thinnest.name} is {thinnest.size:.3g} m thin, so points of a skin that may meet it must be at most "
                 f"{apart:.3g} m apart, which takes more than {MOST_POINTS:,}; make it thicker, or the skin smaller"
             )
-        places, corners, carry = _halved(places, corners, carry)
-        origin = np.tile(origin, 4)
-        longest *= 0.5
     edges = places[corners[:, 1:]] - places[corners[:, :1]]
     normal = 0.5 * np.cross(edges[:, 0], edges[:, 1])
     area = np.linalg.norm(normal, axis=1)
@@ -275,3 +280,32 @@ def _halved(places: Float, corners: Corners, carry: sp.csr_array) -> tuple[Float
         finer,
         sp.csr_array(sp.vstack([carry, between])),
     )
+
+
+def shortened(
+    places: Float, corners: Corners, carry: sp.csr_array, origin: Corners, apart: float
+) -> tuple[Float, Corners, sp.csr_array, Corners, float]:
+    """Every edge longer than `apart` halved, each triangle as two to four; the longest edge comes last."""
+    ends = np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
+    sides, number = np.unique(ends, axis=0, return_inverse=True)
+    long = np.linalg.norm(places[sides[:, 0]] - places[sides[:, 1]], axis=1) > apart
+    middle = np.where(long, places.shape[0] - 1 + np.cumsum(long), -1)[number.reshape(-1, 3)]
+    cut = middle >= 0
+    count = cut.sum(axis=1)
+    # Turned so that the only long edge comes first, or the only short one last.
+    first = np.where(count == 1, cut.argmax(axis=1), np.where(count == 2, cut.argmin(axis=1) + 1, 0))
+    turn = (first[:, None] + np.arange(3)) % 3
+    (a, b, c), (ab, bc, ca) = np.take_along_axis(corners, turn, 1).T, np.take_along_axis(middle, turn, 1).T
+    pieces = (
+        (count == 0, ((a, b, c),)),
+        (count == 1, ((a, ab, c), (ab, b, c))),
+        (count == 2, ((ab, b, bc), (a, ab, bc), (a, bc, c))),
+        (count == 3, ((a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca))),
+    )
+    finer: Corners = np.concatenate([np.stack(t, axis=1)[own] for own, split in pieces for t in split])
+    origin = np.concatenate([origin[own] for own, split in pieces for _ in split])
+    halves = sides[long]
+    places = np.concatenate([places, 0.5 * (places[halves[:, 0]] + places[halves[:, 1]])])
+    carry = sp.csr_array(sp.vstack([carry, sp.csr_array(0.5 * (carry[halves[:, 0]] + carry[halves[:, 1]]))]))
+    longest = float(np.linalg.norm(places[finer] - places[np.roll(finer, -1, axis=1)], axis=2).max())
+    return places, finer, carry, origin, longest

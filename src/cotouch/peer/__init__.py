@@ -6,12 +6,23 @@ from cotouch.peer._cuts import CutSet
 from cotouch.peer._guard import LinkGuard
 from cotouch.peer._guard_ledger import GuardEvent, GuardLedger
 from cotouch.peer._law_link import CopyMemory, LawLink
-from cotouch.peer._links import NO_HEADER, ConstantLink, FreshestLink, Link, LinkHeader, LinkState, Message, Sample
+from cotouch.peer._links import (
+    MOST_AHEAD,
+    NO_HEADER,
+    ConstantLink,
+    FreshestLink,
+    Link,
+    LinkHeader,
+    LinkState,
+    Message,
+    Sample,
+)
 from cotouch.peer._peer import Peer
 from cotouch.peer._report import StepReport
 
 __all__ = [
     "FULL",
+    "MOST_AHEAD",
     "MOST_HOLD",
     "NO_HEADER",
     "ROUNDED",

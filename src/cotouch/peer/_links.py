@@ -9,6 +9,10 @@ from cotouch.arrays import Float, Int
 # Fields (fields, size) and numbers (scalars,) that a law tells a neighbour besides x̂; see `cotouch.laws.Law`.
 Message: TypeAlias = tuple[Float, Float]
 
+# A live step may use what comes so long after its end: reading goes on for a little after the clock was read. What came
+# later came while the process stood still, and a step must not know what is yet to be [s].
+MOST_AHEAD = 1e-3
+
 
 @final
 class LinkState(IntEnum):

@@ -20,9 +20,14 @@ from typing import NamedTuple
 import numpy as np
 
 from cotouch.arrays import Bool, Float
-from cotouch.peer import LinkState
+from cotouch.peer import MOST_AHEAD, LinkState
 from cotouch.recording._columns import ADVANCED, EXCHANGE, GUARDS
 from cotouch.recording._recording import Recording
+
+# Time may pass between the two readings that relate a user's clock to Unix time [s].
+READ = 1e-4
+# What a step used may have been sent so long after its end [s].
+EARLY = MOST_AHEAD + READ
 
 
 class Life(NamedTuple):
@@ -236,8 +241,9 @@ def unfounded(one: Recording, two: Recording, at_one: Float, at_two: Float) -> F
             return nothing
         if end < two.steps and not two.consecutive[end]:
             gave[end:] = np.inf  # it may have given more before the guard went
-    # The first step that ends no earlier: what it had given is no less, whatever is not recorded in between.
-    when = np.searchsorted(at_two, at_one)
+    # The first step that ends no earlier than what may have been used was sent: what it had given is no less, whatever
+    # is not recorded in between.
+    when = np.searchsorted(at_two, at_one + EARLY)
     late = when == at_two.size
     open_ended = two.broken is not None or two.missing_after > 0
     least = np.where(late, np.inf if open_ended else gave[-1], gave[np.minimum(when, at_two.size - 1)])

@@ -17,15 +17,13 @@ import numpy as np
 
 from cotouch.arrays import Bool, Float, Long
 from cotouch.peer import LinkState
-from cotouch.recording._guards import granted, linked_steps
+from cotouch.recording._guards import EARLY, READ, granted, linked_steps
 from cotouch.recording._motion import Motion
 from cotouch.recording._recording import Recording
 
 ABSENT = -1
 _STATES = {ABSENT: "absent"} | {int(state): state.name.lower() for state in LinkState}
 _BLOCK = 4096
-# Time may pass between the two readings that relate a user's clock to Unix time [s].
-_READ = 1e-4
 
 
 class Ages(NamedTuple):
@@ -135,7 +133,7 @@ def align(recordings: Sequence[Recording]) -> tuple[list[float], bool]:
             if there is None or back is None:
                 continue
             ahead = offsets[i] - offsets[j]
-            wrong |= min(there.quick + ahead, back.quick - ahead) < -_READ
+            wrong |= min(there.quick + ahead, back.quick - ahead) < -READ
             apart[i, j] = 0.5 * (back.quick - there.quick)
     if not wrong:
         return offsets, False
@@ -163,7 +161,7 @@ def too_young(recordings: Sequence[Recording], offsets: Sequence[float]) -> list
         for j, two in enumerate(recordings):
             age = ages(one, two.user) if i != j and linked(one, two) else None
             ahead = offsets[i] - offsets[j]
-            if age is not None and age.least + ahead < -_READ <= age.quick + ahead:
+            if age is not None and age.least + ahead < -EARLY and age.quick + ahead >= -READ:
                 least = age.least + ahead
                 found.append(f"{one.name} used a sample of {two.name} at an age of {least:.3g} s, which cannot be")
     return found

@@ -7,7 +7,7 @@ from typing import final
 
 from cotouch.arrays import Float
 from cotouch.errors import SessionError
-from cotouch.peer import LawLink, LinkGuard, Sample
+from cotouch.peer import MOST_AHEAD, LawLink, LinkGuard, Sample
 from cotouch.samples._ages import LinkAges
 from cotouch.samples._assembly import Assembly
 from cotouch.samples._chunk import AGED, BRIEF, ECHO, RENEW, Chunk, Coded, Heading, Refusal, Written
@@ -19,10 +19,6 @@ from cotouch.samples._rate import SendRate
 from cotouch.samples._seal import SealedLink, connection_of
 from cotouch.samples._sent import Sent
 from cotouch.samples._transport import Arrival, Transport
-
-# Reading goes on for a little after the clock was read. What came later than this came while the process stood still,
-# and the step that ends now must not use it: it would know what is yet to be [s].
-_AHEAD = 1e-3
 
 
 @final
@@ -197,9 +193,9 @@ class SamplePlane:
             arrivals, self._early = self._early + arrivals, []
         if not arrivals:
             return 0
-        if arrivals[-1].time > now + _AHEAD:  # they are in order
-            self._early = [arrival for arrival in arrivals if arrival.time > now + _AHEAD]
-            arrivals = [arrival for arrival in arrivals if arrival.time <= now + _AHEAD]
+        if arrivals[-1].time > now + MOST_AHEAD:  # they are in order
+            self._early = [arrival for arrival in arrivals if arrival.time > now + MOST_AHEAD]
+            arrivals = [arrival for arrival in arrivals if arrival.time <= now + MOST_AHEAD]
         useful, current = 0, False
         by_number, transport, read = self._by_number, self._transport, self._codec.read
         for payload, source, time in arrivals:
