@@ -252,9 +252,8 @@ def test_depth_in_a_turned_box() -> None:
             assert found == pytest.approx(deep, abs=1e-12)
 
 
-def bar() -> tuple[Float, Int]:
-    """A round bar of 2 m with many sides: long triangles along it, short ones at its ends."""
-    sides = 400
+def bar(sides: int) -> tuple[Float, Int]:
+    """A round bar of 2 m: long triangles along it, short ones at its ends."""
     turn = 2 * np.pi * np.arange(sides) / sides
     ring = np.stack([0.05 * np.cos(turn), 0.05 * np.sin(turn), np.ones(sides)], axis=1)
     places = np.concatenate([ring * [1, 1, -1], ring, [[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]]])
@@ -267,7 +266,7 @@ def bar() -> tuple[Float, Int]:
 
 def test_only_what_is_long_is_halved() -> None:
     """The surface stays closed and what it was, and no triangle is longer than it may be."""
-    places, coarse = bar()
+    places, coarse = bar(20)
     corners, origin = coarse, np.arange(coarse.shape[0], dtype=np.int64)
     finer, carry, longest = places, sp.csr_array(sp.eye_array(places.shape[0])), np.inf
     while longest > 0.05 and corners.shape[0] < 100_000:
@@ -290,7 +289,7 @@ def test_only_what_is_long_is_halved() -> None:
 
 def test_a_mesh_of_short_and_long_triangles_is_met() -> None:
     """Halved as often everywhere, its skin would take 400,000 points and be refused."""
-    places, corners = bar()
+    places, corners = bar(400)
     block = together([Placed(body=rigid_box((0.1, 0.1, 0.1)), name="block")])
     far = Obstacle(shape=Solid(places + np.array([0.0, 0.0, 3.0]), corners))
     ready = model(block, obstacles=[far], between=Between())
