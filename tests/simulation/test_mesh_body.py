@@ -191,6 +191,13 @@ def test_what_is_wrong_is_one_sentence(folder: Path, line: str, message: str):
     assert "\n" not in str(caught.value)
 
 
+def test_a_body_that_is_a_list_is_one_sentence(folder: Path):
+    (folder / "wrong.toml").write_text(TOML.replace("[body]", "[[body]]"))
+    message = "body is a list; it must be one table, [body]; several bodies are [[bodies]]"
+    with pytest.raises(InputError, match=re.escape(message)):
+        Scenario.read(folder / "wrong.toml")
+
+
 @pytest.mark.parametrize(
     ("hand", "message"),
     [

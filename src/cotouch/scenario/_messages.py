@@ -38,6 +38,8 @@ def sentence(error: ValidationError, source: str) -> str:
             text = f"{place} is not an option that cotouch knows; remove it or correct its name"
         case "missing":
             text = f"{place} is missing"
+        case "union_tag_invalid" | "union_tag_not_found" if isinstance(first["input"], list):
+            text = f"{place} is a list; it must be one table, [{place}]; several bodies are [[bodies]]"
         case "union_tag_invalid" | "union_tag_not_found":
             given = first["input"]
             kind = cast("Mapping[str, object]", given).get("kind") if isinstance(given, Mapping) else given
