@@ -95,6 +95,24 @@ def test_what_is_pressed_at_rest_closes() -> None:
     assert copy.residual <= 5e-15 * copy.in_play
 
 
+def test_a_stylus_that_lies_over_an_edge_comes_to_rest() -> None:
+    """Some of its balls reach the block's side beside their foot there: where nothing moves, energy must be exact."""
+    copy = Pressed(made("cells", viscosity=2e-3, ground="z-", hold=300.0, gravity=(0.0, 0.0, -9.81)))
+    copy.tools.radius[:] = 0.004
+    copy.tools.axis[0, :3] = [0.03, 0.0, 0.0]
+    copy.tools.place[0, :3] = start = np.array([0.0, 0.011, SPACING * 2.0 + 0.0045])
+    copy.begin()
+    told = 0
+    for n in range(800):
+        place = start - [0.0, 0.0, min(1e-5 * n, 0.004)]
+        copy.lead(place, place)
+        copy.step(2e-3)
+        told += int(copy.ledger[SHORTENED] > 0.0 or copy.ledger[BETA] > CLOSURE_ALARM)
+    assert told == 0
+    assert copy.force[2] > 0.1
+    assert np.linalg.norm(copy.tools.rate[0, :3]) <= 1e-5
+
+
 def test_friction_that_sticks_is_stretched_by_what_tool_and_skin_moved() -> None:
     """Not by where they were thought to go a look before: its pull times the difference is work of no force."""
     copy = Pressed(made("cells", viscosity=2e-3, ground="z-", hold=300.0, gravity=(0.0, 0.0, -9.81)))

@@ -1,14 +1,16 @@
 """Energy and forces of a ball on a triangle, exactly: the integral of a contact law over what lies in the ball.
 
 The triangle's plane cuts the ball in a disc about the foot of its middle. A triangle is the signed sum of three
-triangles from the foot to its sides; of each, the part in the disc is integrated from the foot outwards, and the rest
-is a sector of the disc, in closed form. So the sum over a flat is the same however it is cut into triangles, and no
-triangle is too large: nothing depends on where points lie.
+triangles from the foot to its sides; of each, a part lies in the disc, and the rest is a sector of it. So the sum over
+a flat is the same however it is cut into triangles, and no triangle is too large: nothing depends on where points lie.
 
-Pressure is the slope of the energy, and depth falls with the square of the distance to the foot. So its moments need
-no sums over the area [divergence theorem]: with ψ the energy, p the pressure and n the normal of a side in the plane,
-`∫ p x dA = -R ∮ ψ n ds` and `∫ p x xᵀ dA = R ∫ ψ dA - R ∮ ψ x nᵀ ds`, where only sides within the disc count, as ψ is 0
-at its edge; and outwards from the foot `∫ p r dr = R (ψ(foot) - ψ(side))`.
+Depth falls with the square of the distance to the foot, so sums outwards from there are differences of sums over depth:
+with ψ the energy and Φ(w) its integral from 0 to w, `∫ ψ r dr = R (Φ(foot) - Φ(side))`, and of a sector `R Φ(foot)`.
+Where the foot lies beside the triangle, what it holds drops out between sectors and sides.
+
+Pressure p is the slope of the energy, so `∫ p r dr = R (ψ(foot) - ψ(side))`, and its moments need no sums over the area
+[divergence theorem]: with n the normal of a side in the plane, `∫ p x dA = -R ∮ ψ n ds` and
+`∫ p x xᵀ dA = R ∫ ψ dA - R ∮ ψ x nᵀ ds`, where only sides within the disc count, as ψ is 0 at its edge.
 """
 # pyright: reportArgumentType=false, reportReturnType=false
 
@@ -22,7 +24,7 @@ from cotouch.mechanics._angle import angles
 from cotouch.mechanics._contact_law import press
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import Vector, cross
-from cotouch.mechanics._vector import FOUR, at, four, lane, load, lower, root, size, splat, store, total, upper, where
+from cotouch.mechanics._vector import FOUR, at, lane, load, lower, root, size, splat, store, total, upper, where
 
 
 def _gauss(points: int) -> tuple[tuple[float, ...], tuple[float, ...]]:
@@ -31,16 +33,19 @@ def _gauss(points: int) -> tuple[tuple[float, ...], tuple[float, ...]]:
     return tuple((0.5 + 0.5 * place).tolist()), tuple((0.5 * weight).tolist())
 
 
-# From the foot outwards to a side: squares of the places, and elements of the area.
-_OUT, _OUT_WEIGHT = _gauss(6)
-_OUT_SQUARE = tuple(r * r for r in _OUT)
-_OUT_AREA = tuple(w * r for r, w in zip(_OUT, _OUT_WEIGHT, strict=True))
-# Along a side, and from the foot outwards to the edge of the disc: rows of places and of weights, four points at once.
-_SIDE = np.array(_gauss(4))
-_DISC = np.array(_gauss(8)).reshape(4, 4)
-# Where only forces are asked for, two points between foot and side, and energy and its slope there, do as well up to
-# this depth, of the radius: exactly for polynomials up to the seventh degree.
-_SHALLOW, _BETWEEN = 0.25, 0.5 / math.sqrt(7.0)
+# From the foot to the edge of a disc whose radius is 1: Gauss's rule for what is multiplied by the distance, exact up
+# to its ninth power [Abramowitz & Stegun 1964, table 25.8]; shares of the depth at the foot, and their weights.
+_OUT = (0.0985350857988264, 0.3045357266463638, 0.5620251897526138, 0.8019865821263918, 0.9601901429485313)
+_OUT_WEIGHT = (0.0157479145216922, 0.0739088700726166, 0.1463869870846698, 0.1671746380943696, 0.0967815902266518)
+_DEPTH, _DEPTH_WEIGHT = tuple(1.0 - r * r for r in _OUT), tuple(2.0 * w for w in _OUT_WEIGHT)
+# Up to the first of these depths, of the radius, a third and two thirds of a depth and what the law says at its ends do
+# better: exactly for energies up to the ninth power. Until the second, one rule gives way to the other, for the energy
+# must not step. For forces alone, which hardly depend on that, half of a depth will do.
+_LEAST, _MOST = 0.2, 0.25
+# Shares of the depth at the foot, four at once: for the energy of the state, and for forces alone.
+_FOOT = np.array([(1.0, 1.0 / 3.0, 2.0 / 3.0, 0.0), (1.0, 0.5, 0.0, 0.0)])
+# Along a side: rows of places and of weights, four points at once.
+_SIDE = np.array(_gauss(8)).reshape(4, 4)
 # A side's point that is so near to the foot presses as the foot does; of the disc, in squares of distances.
 _NEAR = 1e-8
 # A triangle whose sine at a corner is smaller than the root of this is a line.
@@ -213,21 +218,24 @@ def press_triangle(
         at(found, (_CUT, n)),
         at(found, (_TURNED, n)),
     )
-    edge, deeper = math.sqrt(disc), 1.0 / (2.0 * radius)
+    deeper = 1.0 / (2.0 * radius)
     top, zero = disc * deeper, splat(0.0, FOUR)
-    ue = zero
-    for k in range(2):
-        r = edge * load(_DISC, k, FOUR)
-        energy, _, _ = press(law, stiffness, radius, upper(top - deeper * (r * r), zero))
-        ue = ue + (turned * edge) * (load(_DISC, 2 + k, FOUR) * (r * energy))
     covered, scale = 0.5 * turned * disc, area / (0.5 * double)
-    # Over four points of a side at once: pressure and slopes; what comes of the energy, and of the pressure, on sides.
-    uc, us, upx, upy, uxx, uxy, uyy, uhx, uhy = zero, zero, zero, zero, zero, zero, zero, zero, zero
-    # From the foot to the edge of the disc.
-    shares = four(top, (0.5 + _BETWEEN) * top, (0.5 - _BETWEEN) * top, 0.0)
-    deepest, hardest, firmest = press(law, stiffness, radius, shares)
-    foot, hard, firm = lane(deepest, 0), lane(hardest, 0), lane(firmest, 0)
-    sums = energies or not forces or top > _SHALLOW * radius
+    # Over four points of a side at once: energy, pressure, slopes; what comes of the energy and of the pressure there.
+    ue, uc, us, upx, upy, uxx, uxy, uyy, uhx, uhy = zero, zero, zero, zero, zero, zero, zero, zero, zero, zero
+    # How much of the energy is summed by the rule for what is deep, and whether it is that of the state.
+    deep = min(max((top / radius - _LEAST) / (_MOST - _LEAST), 0.0), 1.0)
+    state = energies or not forces
+    if not state and deep > 0.0:
+        deep = 1.0
+    energy, pressure, slope = press(law, stiffness, radius, top * load(_FOOT, 0 if state else 1, FOUR))
+    foot, hard, firm, soft = lane(energy, 0), lane(pressure, 0), lane(slope, 0), lane(slope, 3)
+    if state:
+        whole = _closely(top, lane(energy, 1) + lane(energy, 2), foot, hard, firm + soft)
+    else:
+        whole = _nearly(top, lane(energy, 1), foot, hard, firm + soft)
+    if deep > 0.0:
+        whole += deep * (_up_to(law, stiffness, radius, top) - whole)
     for side in range(3):
         begin, share = at(found, (_FIRST + side, n)), at(found, (_WITHIN + side, n))
         if not share > 0.0:
@@ -235,47 +243,43 @@ def press_triangle(
         after = side + 1 if side < 2 else 0
         fx, fy = at(found, (_X + side, n)), at(found, (_Y + side, n))
         tx, ty = at(found, (_X + after, n)) - fx, at(found, (_Y + after, n)) - fy
-        place = begin + share * load(_SIDE, 0, FOUR)
-        ex, ey = fx + place * tx, fy + place * ty
-        square = deeper * (ex * ex + ey * ey)
         cross = (fx * ty - fy * tx) * share
         covered += 0.5 * cross
-        weight, e0 = load(_SIDE, 1, FOUR), zero
-        if sums:
-            for b in range(6):
-                energy, _, _ = press(law, stiffness, radius, upper(top - _OUT_SQUARE[b] * square, zero))
-                e0 = e0 + _OUT_AREA[b] * energy
-        if not forces:
-            ue = ue + (cross * weight) * e0
-            continue
-        energy, pressure, slope = press(law, stiffness, radius, upper(top - square, zero))
-        near, _, firmer = press(law, stiffness, radius, upper(top - (0.5 - _BETWEEN) * square, zero))
-        far, _, softer = press(law, stiffness, radius, upper(top - (0.5 + _BETWEEN) * square, zero))
-        if not sums:
-            e0 = (49.0 / 270.0) * (near + far) + (37.0 / 540.0) * (foot + energy)
-            e0 = e0 - (1.0 / 360.0) * (square * (hard - pressure))
-        ue = ue + (cross * weight) * e0
-        away = square - _NEAR * top
-        uc = uc + (cross * weight) * where(away, (foot - energy) / where(away, square, 1.0), hard)
-        us = us + (cross * weight) * ((1.0 / 9.0) * (firm + slope) + (7.0 / 18.0) * (firmer + softer))
         for k in range(2):
-            place = begin + share * load(_DISC, k, FOUR)
+            place, weight = begin + share * load(_SIDE, k, FOUR), load(_SIDE, 2 + k, FOUR)
             ex, ey = fx + place * tx, fy + place * ty
-            energy, pressure, _ = press(law, stiffness, radius, upper(top - deeper * (ex * ex + ey * ey), zero))
-            weight = share * load(_DISC, 2 + k, FOUR)
-            energy, pressure = weight * energy, weight * pressure
+            square = deeper * (ex * ex + ey * ey)
+            depth, away = upper(top - square, zero), square - _NEAR * top
+            at_foot = cross * weight
+            every = at_foot * (1.0 / where(away, square, 1.0))
+            energy, pressure, slope = press(law, stiffness, radius, depth)
+            less = zero
+            if deep < 1.0 and state:
+                third, _, _ = press(law, stiffness, radius, (1.0 / 3.0) * depth)
+                other, _, _ = press(law, stiffness, radius, (2.0 / 3.0) * depth)
+                less = _closely(depth, third + other, energy, pressure, slope + soft)
+            elif deep < 1.0:
+                half, _, _ = press(law, stiffness, radius, 0.5 * depth)
+                less = _nearly(depth, half, energy, pressure, slope + soft)
+            if deep > 0.0:
+                less = less + deep * (_up_to(law, stiffness, radius, depth) - less)
+            ue = ue + where(away, every * (whole - less), at_foot * foot)
+            if not forces:
+                continue
+            uc = uc + where(away, every * (foot - energy), at_foot * hard)
+            us = us + where(away, every * (hard - pressure), at_foot * firm)
+            energy, pressure = (share * weight) * energy, (share * weight) * pressure
             upx, upy = upx - ty * energy, upy + tx * energy
             uxx, uyy = uxx - ty * (ex * energy), uyy + tx * (ey * energy)
             uxy = uxy + (tx * ex - ty * ey) * energy
             uhx, uhy = uhx - ty * pressure, uhy + tx * pressure
-    se = total(ue)
+    se = turned * radius * whole + 0.5 * total(ue)
     out[3, 3] = scale * se
     if not forces:
         return scale * covered
     # Sums over the plane: pressure and slopes; pressure times x, y, xx, xy, yy, of the radius; slopes times x, y.
     sc = turned * radius * foot + 0.5 * total(uc)
-    ss = (1.0 / 9.0) * (firm + lane(firmest, 3)) + (7.0 / 18.0) * (lane(firmest, 1) + lane(firmest, 2))
-    ss = 0.5 * (turned * disc * ss + total(us))
+    ss = turned * radius * hard + 0.5 * total(us)
     sx, sy, sxx, sxy, syy = total(upx), total(upy), se + total(uxx), 0.5 * total(uxy), se + total(uyy)
     hx, hy = radius * total(uhx), radius * total(uhy)
     own, per = 1.0 / double, scale / radius
@@ -299,6 +303,39 @@ def press_triangle(
         out[corner, 3] = scale * borne
         out[3, corner] = scale * max(l0 * ss + lx * hx + ly * hy, 0.0)
     return scale * covered
+
+
+@inner
+def _up_to(law: Any, stiffness: float, radius: float, depth: float) -> float:
+    """Integral of the energy over all depths up to one [J/m]."""
+    energy, _, _ = press(law, stiffness, radius, _DEPTH[0] * depth)
+    result = _DEPTH_WEIGHT[0] * energy
+    for b in range(1, 5):
+        energy, _, _ = press(law, stiffness, radius, _DEPTH[b] * depth)
+        result = result + _DEPTH_WEIGHT[b] * energy
+    return depth * result
+
+
+@inner
+def _closely(depth: float, between: float, energy: float, pressure: float, slopes: float) -> float:
+    """`_up_to` where that is not deep.
+
+    Args:
+        depth: see `_up_to` [m].
+        between: sum of the energies at a third and at two thirds of it [J/m²].
+        energy: there [J/m²].
+        pressure: likewise [Pa].
+        slopes: the slope there and that at no depth [Pa/m].
+    """
+    ends = depth * ((13.0 / 1120.0) * pressure - (1.0 / 3360.0) * (depth * slopes))
+    return depth * ((729.0 / 2240.0) * between + (391.0 / 2240.0) * energy - ends)
+
+
+@inner
+def _nearly(depth: float, half: float, energy: float, pressure: float, slopes: float) -> float:
+    """The same by the energy at half of a depth [J/m²] alone; see `_closely`."""
+    ends = depth * ((1.0 / 35.0) * pressure - (1.0 / 840.0) * (depth * slopes))
+    return depth * ((16.0 / 35.0) * half + (19.0 / 70.0) * energy - ends)
 
 
 @inner
