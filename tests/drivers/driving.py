@@ -15,6 +15,11 @@ TWIST = np.array([0.01, 0.02, -0.04])
 STALLS = ("ms for a cycle", "does not tick", "did not answer")
 
 
+def stalled(error: DeviceError) -> bool:
+    """Whether that may come of a machine that stood still for longer than a device waits."""
+    return any(stall in str(error) for stall in STALLS)
+
+
 def ready(device: Device, cycles: int = 5) -> Device:
     """Opened, calibrated, motors on, and pushing.
 
@@ -27,7 +32,7 @@ def ready(device: Device, cycles: int = 5) -> Device:
         try:
             push(device, cycles)
         except DeviceError as error:
-            if not any(stall in str(error) for stall in STALLS):
+            if not stalled(error):
                 raise
         else:
             return device
