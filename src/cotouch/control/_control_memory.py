@@ -281,11 +281,10 @@ class MemoryControl:
             if beat:
                 self._presence.receive(raw, time)
                 continue
-            if raw[4:36] in self._shunned:
-                self.dropped["shunned"] += 1
-                continue
             read = self._reader.read(raw, time)
-            if isinstance(read, Message):
+            if isinstance(read, Message) and read.sender in self._shunned:
+                self.dropped["shunned"] += 1
+            elif isinstance(read, Message):
                 self._received.append(read)
         if self._presence.wait(now) == 0.0:
             self._beat(now)

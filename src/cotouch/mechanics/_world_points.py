@@ -285,7 +285,18 @@ def _halved(places: Float, corners: Corners, carry: sp.csr_array) -> tuple[Float
 def shortened(
     places: Float, corners: Corners, carry: sp.csr_array, origin: Corners, apart: float
 ) -> tuple[Float, Corners, sp.csr_array, Corners, float]:
-    """Every edge longer than `apart` halved, each triangle as two to four; the longest edge comes last."""
+    """Halves every edge longer than that, so that a triangle becomes two to four; neighbours still meet.
+
+    Args:
+        places: vertices, (V, 3) [m].
+        corners: of each triangle, (F, 3).
+        carry: how vertices follow from others, (V, others).
+        origin: from which triangle each came, (F,).
+        apart: how long an edge may be [m].
+
+    Returns:
+        The first four anew, and the length of the longest edge that is left [m].
+    """
     ends = np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
     sides, number = np.unique(ends, axis=0, return_inverse=True)
     long = np.linalg.norm(places[sides[:, 0]] - places[sides[:, 1]], axis=1) > apart
