@@ -6,6 +6,7 @@ import socket
 import ssl
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
@@ -32,6 +33,8 @@ from cotouch.control import (
 from cotouch.errors import SessionError, TransportError
 
 WHO = identities(4)
+# Only for what never comes: a busy machine takes its time [s].
+PATIENCE = 60.0
 
 
 def invitation(*, routed: bool = False, seed: int = 1) -> Invitation:
@@ -56,11 +59,11 @@ def joined(stack: ExitStack, made: Invitation, count: int) -> list[ZenohControl]
 
 
 def until(done: Callable[[], object]) -> None:
-    for _ in range(3000):
-        if done():
-            return
+    end = time.monotonic() + PATIENCE
+    while not done():
+        if time.monotonic() > end:
+            pytest.fail("it did not come")
         time.sleep(0.005)
-    pytest.fail("it did not come")
 
 
 class Spy:
@@ -235,6 +238,32 @@ def test_the_end_of_an_earlier_start_does_not_hide_a_later_one(stack: ExitStack)
     until(lambda: later.present() == {WHO[0].public})  # the host may have seen it sooner than it the host
     later.send("hello", b"")
     until(host.poll)
+
+
+class Stuck:
+    """A session of Zenoh that closes late, as one does that is dialling somebody who does not answer."""
+
+    def __init__(self, session: Any, late: threading.Event) -> None:
+        self._session, self._late = session, late
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._session, name)
+
+    def close(self) -> None:
+        self._late.wait(2.0 * PATIENCE)
+        self._session.close()
+
+
+def test_who_leaves_is_not_seen_any_more_however_long_its_session_takes_to_close(
+    stack: ExitStack, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    late = threading.Event()
+    monkeypatch.setattr("cotouch.control._line.open_session", lambda configured: Stuck(open_session(configured), late))
+    host, member = joined(stack, invitation(), 2)
+    stack.callback(late.set)
+    until(lambda: host._starts.count(WHO[1].public) == 1)
+    member.close()
+    until(lambda: host._starts.count(WHO[1].public) == 0)
 
 
 def test_a_liar_serves_a_file(stack: ExitStack):

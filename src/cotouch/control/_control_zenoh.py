@@ -243,7 +243,7 @@ class ZenohControl:
             line.session.declare_subscriber(keys.mine(kind), Callback(receive, indirect=False), allowed_origin=others)
         line.session.liveliness().declare_subscriber(keys.starts, Callback(lives, indirect=False), history=True)
         # A name of its own for every start: the end of an earlier one must not hide this one.
-        self._token = line.session.liveliness().declare_token(keys.start(os.urandom(8).hex(), line.own))
+        line.show(keys.start(os.urandom(8).hex(), line.own))
 
     def _speak(self) -> None:
         limit = Bucket(_RATE, _BURST)

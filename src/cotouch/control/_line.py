@@ -49,6 +49,7 @@ class Line:
         inner = inner_endpoint(os.urandom)
         self.own = advertised(at[0], invitation) if at else None
         self.session = open_session(configuration(mode, certificates, listen=at, inner=inner, connect=connect))
+        self._token: zenoh.LivelinessToken | None = None
         self._gate = None if inner is None or not at else Gate(at, inner, certificates)
         self._introducer: Introducer | None = None  # behind routers, the routers introduce
         if self.own is not None:
@@ -57,6 +58,14 @@ class Line:
                 return open_session(configuration("peer", certificates, connect=endpoints, dial=False))
 
             self._introducer = Introducer(self.own, beside, time.monotonic)
+
+    def show(self, key: str) -> None:
+        """Shows others that it is there, until it closes.
+
+        Args:
+            key: of this start.
+        """
+        self._token = self.session.liveliness().declare_token(key)
 
     def back(self, member: bytes) -> None:
         """This member is connected again."""
@@ -83,6 +92,6 @@ class Line:
         if self._introducer is not None:
             self._introducer.close()
             users.append(self._introducer.thread)
-        close_session(self.session, [user for user in users if user.is_alive()])
+        close_session(self.session, [user for user in users if user.is_alive()], self._token)
         if self._gate is not None:
             self._gate.close()

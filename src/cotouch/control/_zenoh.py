@@ -152,16 +152,25 @@ def put(session: "zenoh.Session", key: str, said: bytes, *, priority: Priority, 
     return True
 
 
-def close_session(session: "zenoh.Session", users: Sequence[threading.Thread] = ()) -> None:
+def close_session(
+    session: "zenoh.Session",
+    users: Sequence[threading.Thread] = (),
+    token: "zenoh.LivelinessToken | None" = None,
+) -> None:
     """Closes a session of Zenoh, and waits for it a little.
 
     Args:
         session: to be closed.
         users: threads that may be in Zenoh still and end soon; Python does not end before they are out of it.
+        token: that says that it is there; None: nothing does.
     """
     import zenoh
 
     def close() -> None:
+        with contextlib.suppress(zenoh.ZError):
+            # First: a session that is dialling somebody who does not answer keeps its links for ten seconds more.
+            if token is not None:
+                token.undeclare()
         with contextlib.suppress(zenoh.ZError):  # it waits for links that are gone, and says so
             session.close()
         for user in users:
