@@ -9,7 +9,7 @@ from urllib.parse import urlsplit
 from playwright.sync_api import Browser, Page
 from tests.web.fake_session_api import FakeSessionApi, Kind
 
-from cotouch.observers import MoveHand
+from cotouch.observers import MoveHand, Pointer
 from cotouch.web import PageServer
 
 # A machine without a graphics card and with other work draws a few pictures a second [ms].
@@ -19,6 +19,8 @@ READY = "() => window.cotouch?.store.state && window.cotouch.stats.frames > 1"
 PHONE = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True, "device_scale_factor": 1}
 # Whoever was here before is not asked to take the tour.
 BEFORE = 'localStorage.setItem("cotouch.tour", JSON.stringify({over: true}))'
+# Where the pointer was when the page, picture and all, last heard of it.
+POINTED = "addEventListener('pointermove', ({ clientX, clientY }) => { window.pointed = [clientX, clientY]; });"
 
 
 class Shown:
@@ -45,6 +47,7 @@ class Shown:
         context = self.browser.new_context(**{"viewport": {"width": 900, "height": 600}, **settings})
         context.set_default_timeout(PATIENCE)
         context.add_init_script(BEFORE)
+        context.add_init_script(POINTED)
         if script is not None:
             context.add_init_script(script)
         page = context.new_page()
@@ -94,6 +97,23 @@ def until(page: Page, condition: str, value: Any = None) -> None:
     page.wait_for_function(
         f"value => {{ const {{ store, stats, connection, stage }} = window.cotouch; return {condition}; }}", arg=value
     )
+
+
+def move(page: Page, x: float, y: float, steps: int = 1) -> None:
+    """Moves the mouse there, and waits until the page knows that it is there."""
+    page.mouse.move(x, y, steps=steps)
+    until(page, "Math.hypot(window.pointed[0] - value[0], window.pointed[1] - value[1]) < 1", [x, y])
+
+
+def heard(page: Page, api: FakeSessionApi) -> Pointer:
+    """The newest that the page's hand has said, once it is with the server and the page was told so."""
+    until(page, "connection.pending === null && store.frame.echo === connection.number")
+    return api.pointers[-1][1]
+
+
+def pictures_later(page: Page) -> None:
+    """Waits until what was due with the browser's next picture has been done."""
+    page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
 
 
 def wait(page: Page, condition: Callable[[], bool]) -> None:

@@ -14,6 +14,11 @@ PATIENCE = 60_000
 READY = "() => window.cotouch?.store.state && window.cotouch.store.frame && document.querySelector('.user')"
 PHONE = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True}
 LINK = '.link[data-link="{}-{}"]'
+# Counts the looks of the tour.
+LOOKS = """window.looks = 0;
+window.setInterval = ((every) => (look, period, ...more) => every(
+  period === 200 ? () => { look(); window.looks++; } : look, period, ...more))(window.setInterval.bind(window));
+"""
 # Whoever was here before is not invited to the tour again.
 BEFORE = 'localStorage.setItem("cotouch.tour", localStorage.getItem("cotouch.tour") ?? JSON.stringify({over: true}))'
 
@@ -40,6 +45,7 @@ class World:
         context.set_default_timeout(PATIENCE)
         if not first:
             context.add_init_script(BEFORE)
+        context.add_init_script(LOOKS)
         page = context.new_page()
         self.pages.append(page)
         page.on("console", lambda said: self.complaints.append(f"{said.type}: {said.text}"))
@@ -86,6 +92,11 @@ def grab(page: Page, offset: float) -> None:
         }""",
         offset,
     )
+
+
+def looked(page: Page) -> None:
+    """Waits until the tour has looked at how things are now; it looks five times a second."""
+    page.wait_for_function("looks => window.looks > looks", arg=page.evaluate("() => window.looks"))
 
 
 def let_go(page: Page) -> None:

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Browser, Page
 from tests.simulation.browser import browser
-from tests.web.pictures import PHONE, TOKEN, Shown, shown, spot, until, wait
+from tests.web.pictures import PHONE, TOKEN, Shown, heard, move, shown, spot, until, wait
 
 from cotouch.observers import Cut, Impair
 from cotouch.web import PageServer
@@ -52,7 +52,7 @@ def pulled(page: Page, by: tuple[float, float]) -> int:
     page.evaluate(WATCH, [point, 0.004])
     page.mouse.move(x, y)
     page.mouse.down()
-    page.mouse.move(x + by[0], y + by[1], steps=8)
+    move(page, x + by[0], y + by[1], steps=8)
     return point
 
 
@@ -175,8 +175,8 @@ def test_pointers_are_few_and_the_last_counts(running: Browser) -> None:
         page = here.open()
         point = pulled(page, (5.0, 0.0))
         until(page, "store.frame.copies[0].mode === 'grab'")
-        page.wait_for_timeout(150)
-        before = len(here.api.pointers)
+        heard(page, here.api)
+        before = page.evaluate("() => window.cotouch.connection.number")
         x, y, _ = spot(page)
         took = page.evaluate(
             """([x, y]) => { const canvas = document.querySelector('.ct-canvas'), began = performance.now();
@@ -185,11 +185,9 @@ def test_pointers_are_few_and_the_last_counts(running: Browser) -> None:
                  return performance.now() - began; }""",
             [x, y],
         )
-        wait(page, lambda: len(here.api.pointers) > before)
-        page.wait_for_timeout(100)
-        assert len(here.api.pointers) - before <= 10 + took / 8
-        wanted = node_target(here, page, point)
-        assert here.api.pointers[-1][1].target == pytest.approx(wanted, rel=1e-5, abs=1e-7)
+        last = heard(page, here.api)
+        assert 0 < page.evaluate("() => window.cotouch.connection.number") - before <= 10 + took / 8
+        assert last.target == pytest.approx(node_target(here, page, point), rel=1e-5, abs=1e-7)
         page.keyboard.press("Escape")
         wait(page, lambda: here.api.pointers[-1][1].mode == "free")
 
@@ -198,14 +196,8 @@ def test_wheel_goes_into_the_depth_and_a_ball_pushes(running: Browser) -> None:
     with shown(running) as here:
         page = here.open()
         pulled(page, (3.0, 0.0))
-        wait(page, lambda: len(here.api.pointers) > 0)
+        before = np.array(heard(page, here.api).target)
         away = np.array(page.evaluate("() => window.cotouch.stage.probe().orbit.axes()[2].toArray()"))
-        before = np.zeros(3)  # on a busy machine the server hears late of where the pull ended
-        for _ in range(20):
-            seen, before = before, np.array(here.api.pointers[-1][1].target)
-            if np.array_equal(seen, before):
-                break
-            page.wait_for_timeout(500)
         page.mouse.wheel(0, -300)
         wait(page, lambda: float((np.array(here.api.pointers[-1][1].target) - before) @ away) > 0.005)
         moved = np.array(here.api.pointers[-1][1].target) - before

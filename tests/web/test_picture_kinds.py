@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Browser, Page
 from tests.simulation.browser import DRAWN, browser
 from tests.web.fake_session_api import Kind
-from tests.web.pictures import shown, spot, until, wait
+from tests.web.pictures import heard, move, shown, spot, until, wait
 
 from cotouch.mechanics import Box, Plane
 from cotouch.observers import MoveHand
@@ -65,23 +65,20 @@ def test_a_rigid_tool_is_led_and_turned_by_its_user_and_its_force_is_drawn(runni
         assert (slot, taken.mode, taken.node) == (0, "pose", 0)
         assert taken.target == pytest.approx((0.0, 0.0, 0.05), abs=1e-5)
         assert taken.turn == pytest.approx((0.0, 0.0, 0.0), abs=1e-4)
-        page.mouse.move(x + 40, y, steps=4)
-        wait(page, lambda: np.linalg.norm(np.subtract(api.pointers[-1][1].target, taken.target)) > 0.005)
-        page.wait_for_timeout(100)
-        moved = api.pointers[-1][1]
+        move(page, x + 40, y, steps=4)
+        moved = heard(page, api)
+        assert np.linalg.norm(np.subtract(moved.target, taken.target)) > 0.005
         assert moved.turn == taken.turn
         page.keyboard.down("Shift")
-        page.mouse.move(x + 90, y, steps=5)
-        wait(page, lambda: np.linalg.norm(api.pointers[-1][1].turn) > 0.499)
-        turned = api.pointers[-1][1]
+        move(page, x + 90, y, steps=5)
+        turned = heard(page, api)
         up = page.evaluate("() => window.cotouch.stage.probe().orbit.axes()[1].toArray()")
         assert turned.turn == pytest.approx(0.5 * np.array(up), abs=1e-3)
         assert turned.target == moved.target
         page.keyboard.up("Shift")
-        page.mouse.move(x + 91, y)
-        wait(page, lambda: api.pointers[-1][1].target != moved.target)
-        went = np.linalg.norm(np.subtract(api.pointers[-1][1].target, moved.target))
-        assert went < 0.1 * np.linalg.norm(np.subtract(moved.target, taken.target))  # it does not leap
+        move(page, x + 91, y)
+        went = np.linalg.norm(np.subtract(heard(page, api).target, moved.target))
+        assert 0.0 < went < 0.1 * np.linalg.norm(np.subtract(moved.target, taken.target))  # it does not leap
         page.mouse.up()
         wait(page, lambda: api.pointers[-1][1].mode == "free")
         until(page, f"!({ARROW})")

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Browser
 from tests.simulation.browser import browser
-from tests.web.pictures import shown, spot, until, wait
+from tests.web.pictures import heard, move, pictures_later, shown, spot, until
 
 # A screen, and a server that makes every frame when it was asked for; on the way it takes some time. Returns how long
 # before the next picture frames came, of the second half.
@@ -77,8 +77,9 @@ def test_a_movement_is_told_once(running: Browser) -> None:
         page.mouse.move(x, y)
         page.mouse.down()
         for k in range(1, 11):
-            page.mouse.move(x + 3.0 * k, y)
+            move(page, x + 3.0 * k, y)
             until(page, "(([x, y]) => Math.abs(x - value) < 0.5)(stage.probe().target)", x + 3.0 * k)
-            page.wait_for_timeout(60)
-        wait(page, lambda: len({pointer.target for _, pointer in here.api.pointers}) == 11)
+            pictures_later(page)
+            heard(page, here.api)
+        assert len({pointer.target for _, pointer in here.api.pointers}) == 11
         assert page.evaluate("() => window.cotouch.connection.number") == 11

@@ -4,8 +4,8 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Page
-from tests.web.pictures import wait
-from tests.web.shell_pages import LINK, PHONE, READY, World, choose, grab, let_go, words
+from tests.web.pictures import pictures_later, wait
+from tests.web.shell_pages import LINK, PHONE, READY, World, choose, grab, let_go, looked, words
 from tests.web.shell_scripts import CONTRAST, DOUBLED, MOVING, NAMELESS, PANELS, RIGHTMOST, SEEN, SMALL
 
 from cotouch.observers import Cut, Kill, SetDamping
@@ -127,7 +127,7 @@ def test_the_tour_invites_runs_through_and_is_taken_up_again(here: World) -> Non
     grab(page, 0.08)
     done(page)
     words(page, "#tour h2", "Let go")
-    page.wait_for_timeout(500)  # the tour looks five times a second: it has seen that something is held
+    looked(page)  # it has seen that something is held
     let_go(page)
     done(page)
     # Left and taken up again, by keys, also after a new visit.
@@ -159,7 +159,7 @@ def test_the_tour_invites_runs_through_and_is_taken_up_again(here: World) -> Non
     done(page)
     page.click("#topology >> text=Worst")
     page.wait_for_selector(LINK.format(0, 4))
-    page.wait_for_timeout(500)
+    looked(page)
     page.click("#topology >> text=Best")
     done(page)
     assert page.is_visible("#energy")
@@ -167,7 +167,7 @@ def test_the_tour_invites_runs_through_and_is_taken_up_again(here: World) -> Non
     page.click("#lower")
     page.click("text=Lower it")
     page.wait_for_selector("#banner-damping")
-    page.wait_for_timeout(500)
+    looked(page)
     page.click("#banner-damping >> text=Restore now")
     page.wait_for_selector("#tour[data-done]")
     words(page, "#tour-next", "Finish")
@@ -185,7 +185,7 @@ def test_the_tour_never_blocks_and_fits_a_phone(here: World) -> None:
     page.tap("#tour-offer >> text=Start")
     for number in range(1, 11):
         words(page, "#tour .tour-number", f"Step {number} of 10")
-        page.wait_for_timeout(60)
+        pictures_later(page)
         box = page.locator("#tour").bounding_box()
         assert box is not None
         assert box["x"] >= 0
@@ -222,7 +222,7 @@ def test_the_tour_covers_nothing_that_it_speaks_of(here: World, size: tuple[int,
         words(page, "#tour .tour-number", f"Step {number} of 10")
         if number == 6:
             choose(page, 1, 3)
-        page.wait_for_timeout(300)  # the card is placed five times a second
+        looked(page)  # the card is placed then
         wait(page, lambda: hidden(page) < 0.02)
         assert hidden(page, "#verdict") == 0.0
         assert hidden(page, seen.get(number, ".tour-hole")) < 0.02, number
@@ -240,11 +240,11 @@ def test_a_step_of_the_tour_is_done_only_by_doing_it(here: World) -> None:
     page.keyboard.press("t")
     words(page, "#tour h2", "Reconnect it")
     words(page, "#tour .tour-task", "No link is cut")
-    page.wait_for_timeout(500)
+    looked(page)
     assert page.get_attribute("#tour", "data-done") is None
     here.api.do(Cut(a=1, b=3, on=True))
     words(page, "#tour .tour-task", "Press Reconnect")
-    page.wait_for_timeout(300)
+    looked(page)
     assert page.get_attribute("#tour", "data-done") is None
     here.api.do(Cut(a=1, b=3, on=False))
     page.wait_for_selector("#tour[data-done]")
