@@ -171,8 +171,8 @@ def bed(request: pytest.FixtureRequest) -> Iterator[Bed]:
 
 
 def until(bed: Bed, done: Callable[[], bool]) -> None:
-    """Waits, but not for ever."""
-    for _ in range(3000):
+    """Waits, but not for ever: a busy machine takes its time."""
+    for _ in range(12_000):
         if done():
             return
         bed.wait()

@@ -179,7 +179,9 @@ def test_nobody_listens_but_where_told(stack: ExitStack):
 class TestStrangers:
     """Plain TLS at the host's port, with whatever certificate there is."""
 
-    def answer(self, made: Invitation, certificates: tuple[bytes, bytes] | None, folder: Path) -> str:
+    def answer(
+        self, made: Invitation, certificates: tuple[bytes, bytes] | None, folder: Path, patience: float = PATIENCE
+    ) -> str:
         context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
         context.check_hostname, context.verify_mode = False, ssl.CERT_NONE
         if certificates:
@@ -187,9 +189,10 @@ class TestStrangers:
             file.write_bytes(b"".join(certificates))
             context.load_cert_chain(file)
         with socket.create_connection(made.endpoints[0]) as plain:
-            plain.settimeout(1.0)
+            plain.settimeout(PATIENCE)
             try:
                 with context.wrap_socket(plain) as wrapped:
+                    wrapped.settimeout(patience)
                     return "closed" if wrapped.recv(1) == b"" else "spoken to"
             except TimeoutError:
                 return "let in"
@@ -200,7 +203,7 @@ class TestStrangers:
         made, other = invitation(), invitation(seed=2)
         joined(stack, made, 1)
         mine, theirs = (make_certificates(one, entropy=entropy(5))[1:] for one in (made, other))
-        assert self.answer(made, mine, tmp_path) == "let in"
+        assert self.answer(made, mine, tmp_path, 1.0) == "let in"
         assert self.answer(made, None, tmp_path) not in {"let in", "spoken to"}
         assert self.answer(made, theirs, tmp_path) not in {"let in", "spoken to"}
 
@@ -295,10 +298,11 @@ def test_what_nobody_polls_is_bounded(stack: ExitStack, monkeypatch: pytest.Monk
 def test_what_cannot_be_sent_yet_is_bounded(stack: ExitStack, monkeypatch: pytest.MonkeyPatch):
     one, two = joined(stack, invitation(), 2)
     monkeypatch.setattr("cotouch.control._control_zenoh._BURST", 1.0)
+    monkeypatch.setattr("cotouch.control._control_zenoh._RATE", 20.0)
     monkeypatch.setattr("cotouch.control._held._MOST_ITEMS", 50)
     for _ in range(2000):
         one.send("much", b"")
-    assert one.dropped["not sent yet"] > 1000
+    assert one.dropped["not sent yet"] > 1900
     until(two.poll)
 
 
@@ -362,11 +366,14 @@ def test_the_host_hands_on_datagrams_of_who_is_not_seen(stack: ExitStack):
         got.extend(two.relayed())
         return len(got) >= count
 
-    for k in range(50):
+    def carried(k: int) -> bool:  # a relay may drop: it is said again
         assert one.relay(two.identity.public, bytes([k]))
-        time.sleep(0.01)
-    until(lambda: come(45))  # a relay may drop
+        return come(k + 1)
+
+    for k in range(50):
+        until(lambda k=k: carried(k))
     assert {relayed.payload for relayed in got} <= {bytes([k]) for k in range(50)}
+    assert len({relayed.payload for relayed in got}) > 20
     assert {relayed.sender for relayed in got} == {one.identity.public}
     assert host.relayed() == []
 
@@ -384,7 +391,11 @@ def test_it_hands_on_so_many_of_each(stack: ExitStack, monkeypatch: pytest.Monke
         time.sleep(0.01)
     one.send("last", b"")
     until(host.poll)
-    assert 10 < len(two.relayed()) <= 20
+    got = two.relayed()
+    until(lambda: len(got) > 10 or got.extend(two.relayed()))
+    time.sleep(0.2)  # for more, which must not come
+    got += two.relayed()
+    assert 10 < len(got) <= 20
 
 
 def test_a_flood_of_messages_is_not_read(stack: ExitStack):
@@ -415,13 +426,13 @@ def test_of_who_left_little_is_kept_and_memory_is_given_back(stack: ExitStack, m
     host, one, two = joined(stack, invitation(), 3)
     two.send("hello", b"")
     until(lambda: WHO[2].public in host._reader._keys and WHO[2].public in one._reader._keys)
-    until(lambda: len(given) >= 3)  # they came
+    until(lambda: len(given) >= 3 and not any(plane._changed for plane in (host, one, two)))  # they came
     given.clear()
-    two.close()
     left = time.monotonic()
+    two.close()
     until(lambda: WHO[2].public not in host._reader._keys and WHO[2].public not in one._reader._keys)
     until(lambda: len(given) >= 2)
-    assert min(given) - left >= 0.0
+    assert min(given) - left >= 0.2
     assert set(host._reader._gone) == {WHO[2].public}
 
 

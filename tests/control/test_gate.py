@@ -31,7 +31,7 @@ def invitation(*, routed: bool = False) -> Invitation:
     return Invitation.make(session="gate", host=WHO[0].public, digest=bytes(32), entropy=entropy(1), **places)
 
 
-def until(done: Callable[[], object], seconds: float = 10.0) -> None:
+def until(done: Callable[[], object], seconds: float = 60.0) -> None:
     ends = time.monotonic() + seconds
     while time.monotonic() < ends:
         if done():
