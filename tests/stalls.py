@@ -2,8 +2,9 @@
 
 Force is to be gone within 100 ms, and a test asserts it. On a machine that has more to do than it can, time passes that
 no program of ours used; such a test is taken again, but only where this watch, a process of its own, saw as much time
-lost meanwhile as the test was late: its own, beyond what it slept and worked, or, while more programs want to run than
-there are processors, the share of the time that each of them has to wait.
+lost meanwhile as the test was late: its own, beyond what it slept and worked; or, while more programs want to run than
+there are processors, the share of the time that each of them has to wait; or, on a machine that is lent, what it was
+kept from one of its processors, which whoever ran there does not see otherwise.
 """
 
 import subprocess
@@ -61,9 +62,37 @@ class Stalls:
             raise Stalled(said)
         raise AssertionError(said)
 
+    def failed(self, why: str, waits: float) -> None:
+        """Raises for a device that failed because something did not come for so long.
+
+        Args:
+            why: what it said.
+            waits: how long it waits for an answer at least [s].
+
+        Raises:
+            Stalled: the machine stood still for most of that, just now.
+            AssertionError: it did not.
+        """
+        now = time.monotonic()
+        time.sleep(0.05)  # the watch writes a little later
+        lost = self.lost(now - 2.0 * waits, now)
+        raise (Stalled if lost >= 0.5 * waits else AssertionError)(
+            f"{why} (the machine stood still for {1e3 * lost:.0f} ms of the last {2e3 * waits:.0f})"
+        )
+
     def close(self) -> None:
         self._process.kill()
         self._process.wait()
+
+
+def stolen(told: str) -> list[float]:
+    """For how long each processor was kept from this machine since it started [s].
+
+    Args:
+        told: by Linux, in `/proc/stat`.
+    """
+    lines = [line.split() for line in told.splitlines()]
+    return [0.01 * int(line[8]) for line in lines if line[0].startswith("cpu") and line[0] != "cpu"]
 
 
 def _watch(log: Path) -> None:
@@ -72,7 +101,9 @@ def _watch(log: Path) -> None:
 
     parent, cores = os.getppid(), len(os.sched_getaffinity(0))
     end = time.monotonic() + 7200.0
+    stat = Path("/proc/stat")
     with log.open("w", buffering=1) as out:
+        kept = stolen(stat.read_text())
         while os.getppid() == parent and time.monotonic() < end:
             start, used = time.monotonic(), time.thread_time()
             time.sleep(_SLEEP)
@@ -82,6 +113,10 @@ def _watch(log: Path) -> None:
             lost = stop - start - _SLEEP - (time.thread_time() - used)
             runnable = int(Path("/proc/loadavg").read_text().split()[3].partition("/")[0])
             lost = max(lost, (1.0 - cores / max(runnable, cores)) * (stop - start))
+            before, kept = kept, stolen(stat.read_text())
+            away = max((b - a for a, b in zip(before, kept, strict=False)), default=0.0)
+            if away > lost:
+                start, lost = stop - away, away
             if lost > _LEAST:
                 out.write(f"{start} {stop} {lost}\n")
 

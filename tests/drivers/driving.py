@@ -15,7 +15,7 @@ TWIST = np.array([0.01, 0.02, -0.04])
 STALLS = ("ms for a cycle", "does not tick", "did not answer")
 
 
-def stalled(error: DeviceError) -> bool:
+def stalled(error: DeviceError | str) -> bool:
     """Whether that may come of a machine that stood still for longer than a device waits."""
     return any(stall in str(error) for stall in STALLS)
 

@@ -5,10 +5,11 @@ from collections.abc import Callable, Generator
 from pathlib import Path
 
 import pytest
-from tests.drivers.driving import PUSH
+from tests.drivers.driving import PUSH, stalled
 from tests.drivers.inside import ForceDimension, Inverse3, Touch
 from tests.drivers.standin import Board, Fault, Service
 from tests.haptics.inside import OrderWriter
+from tests.stalls import Stalls
 
 from cotouch.haptics import (
     Cause,
@@ -25,6 +26,8 @@ from cotouch.mechanics import EnergyMessage
 
 # Shorter than the 40 ms after which whoever watches takes a servo for dead, longer than any watchdog here [s].
 PAUSE = 0.025
+# No device here gives up sooner [s].
+WAITS = 0.03
 # A report is written down some time after its cycle looked at the clock [s].
 RAMP_SLACK = 0.002
 
@@ -32,7 +35,8 @@ RAMP_SLACK = 0.002
 class Loop:
     """A servo around a device in this process, whose proxy is always beside it; every report is kept."""
 
-    def __init__(self, device: Device, folder: Path) -> None:
+    def __init__(self, device: Device, folder: Path, stalls: Stalls) -> None:
+        self.stalls = stalls
         device.open()
         device.calibrate(allow_motion=False)
         settings = ServoSettings(device=DeviceChoice("stand-in"), folder=folder)
@@ -44,7 +48,9 @@ class Loop:
     def cycle(self) -> ServoReport:
         order = Order(time=time.monotonic(), place=(0.03, 0.0, 0.0), message=EnergyMessage(given=1.0), enable=True)
         self.orders.write(order._replace(rearm=self.rearm))
-        assert self.servo.cycle(), self.servo.fault
+        if not self.servo.cycle():
+            assert stalled(self.servo.fault), self.servo.fault
+            self.stalls.failed(self.servo.fault, WAITS)
         report = self.servo._report
         assert report is not None
         if report.causes & Cause.FAST:  # nobody holds it as firmly as a person does
@@ -55,7 +61,7 @@ class Loop:
 
     def until(self, done: Callable[[ServoReport], object], what: str) -> list[tuple[float, ServoReport]]:
         """Goes on until then; what came on the way."""
-        first, end = len(self.reports), time.monotonic() + 20.0
+        first, end = len(self.reports), time.monotonic() + 60.0
         while not done(self.cycle()):
             assert time.monotonic() < end, f"{what}: {self.reports[-1]}"
         return self.reports[first:]
@@ -66,21 +72,21 @@ class Loop:
 
 
 @pytest.fixture
-def omega(board: Board, built: Path, tmp_path: Path) -> Generator[Loop]:
-    loop = Loop(ForceDimension(library=str(built)), tmp_path)
+def omega(board: Board, built: Path, tmp_path: Path, stalls: Stalls) -> Generator[Loop]:
+    loop = Loop(ForceDimension(library=str(built)), tmp_path, stalls)
     yield loop
     loop.close()
 
 
 @pytest.fixture(params=["haply", "force_dimension", "touch"])
-def any_device(request: pytest.FixtureRequest, tmp_path: Path) -> Generator[tuple[Loop, Board]]:
+def any_device(request: pytest.FixtureRequest, tmp_path: Path, stalls: Stalls) -> Generator[tuple[Loop, Board]]:
     if request.param == "haply":
         service: Service = request.getfixturevalue("service")
         device, board = Inverse3(url=service.url, events=service.events), service.board
     else:
         board, library = request.getfixturevalue("board"), str(request.getfixturevalue("built"))
         device = Touch(library=library) if request.param == "touch" else ForceDimension(library=library)
-    loop = Loop(device, tmp_path)
+    loop = Loop(device, tmp_path, stalls)
     yield loop, board
     loop.close()
 

@@ -37,13 +37,13 @@ def running() -> Generator[Browser]:
 
 
 def slowly(here: Shown) -> None:
-    """All ways take half a second: longer than a busy machine takes for a picture."""
+    """All ways take a second and a half: longer than a busy machine takes for a picture."""
     for a, b in here.api.overview().roster.links:
-        here.api.do(Impair(a=a, b=b, delay=0.5))
+        here.api.do(Impair(a=a, b=b, delay=1.5))
 
 
 # From Ann: one link to Ben and Dan, two to Cleo and Eve; a picture may show two moments as one.
-FARTHER = ((1, 0.1), (2, 0.6), (3, 0.1), (4, 0.6))
+FARTHER = ((1, 0.1), (2, 1.6), (3, 0.1), (4, 1.6))
 
 
 def pulled(page: Page, by: tuple[float, float]) -> int:
