@@ -28,7 +28,7 @@ class Stalls:
     def __init__(self, folder: Path) -> None:
         self._log = folder / "stalls"
         self._process = subprocess.Popen([sys.executable, "-S", __file__, str(self._log)])
-        end = time.monotonic() + 20.0
+        end = time.monotonic() + 60.0
         while not self._log.exists():
             assert time.monotonic() < end
             time.sleep(0.01)
@@ -61,24 +61,6 @@ class Stalls:
         if lost >= gone - limit:
             raise Stalled(said)
         raise AssertionError(said)
-
-    def failed(self, why: str, waits: float) -> None:
-        """Raises for a device that failed because something did not come for so long.
-
-        Args:
-            why: what it said.
-            waits: how long it waits for an answer at least [s].
-
-        Raises:
-            Stalled: the machine stood still for most of that, just now.
-            AssertionError: it did not.
-        """
-        now = time.monotonic()
-        time.sleep(0.05)  # the watch writes a little later
-        lost = self.lost(now - 2.0 * waits, now)
-        raise (Stalled if lost >= 0.5 * waits else AssertionError)(
-            f"{why} (the machine stood still for {1e3 * lost:.0f} ms of the last {2e3 * waits:.0f})"
-        )
 
     def close(self) -> None:
         self._process.kill()

@@ -92,7 +92,14 @@ class Board:
             return math.inf
         return max(0.0, log[acting[-1] + 1][0] - since)
 
-    def wait_for(self, what: str, test: Any, patience: float = 5.0) -> None:
+    def gone_after(self, since: float) -> float:
+        """The same, once the force is gone: whoever plays the motors may have to wait for its turn [s]."""
+        late = time.monotonic() + 5.0
+        while self.zero_after(since) == math.inf and time.monotonic() < late:
+            time.sleep(0.005)
+        return self.zero_after(since)
+
+    def wait_for(self, what: str, test: Any, patience: float = 20.0) -> None:
         end = time.monotonic() + patience
         while not test(self.get(what)):
             assert time.monotonic() < end, f"{what} is {self.get(what)}"

@@ -1,5 +1,6 @@
 """Stub libraries, built once, and what runs behind them."""
 
+import time
 from collections.abc import Callable, Generator
 from contextlib import AbstractContextManager
 from dataclasses import replace
@@ -8,11 +9,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.drivers.driving import stalled
 from tests.drivers.moved import Moved
 from tests.drivers.standin import COMPILER, Board, Service, build, firmware, inverse_service
 from tests.recording.driven import Driven
+from tests.stalls import Stalls
 
 from cotouch.recording import read_recording
+
+# No device here fails sooner because nobody answers [s].
+WAITS = 0.03
 
 
 @pytest.fixture(scope="session")
@@ -30,16 +36,18 @@ def running(built: Path, tmp_path: Path) -> Callable[..., AbstractContextManager
 
 
 @pytest.fixture
-def board(running: Callable[..., AbstractContextManager[Board]]) -> Generator[Board]:
+def board(running: Callable[..., AbstractContextManager[Board]], stalls: Stalls) -> Generator[Board]:
     """A running omega.3 that is calibrated."""
+    del stalls  # as below
     with running() as board:
         yield board
         assert board.get("violations") == 0, board.said
 
 
 @pytest.fixture
-def service(tmp_path: Path) -> Generator[Service]:
+def service(tmp_path: Path, stalls: Stalls) -> Generator[Service]:
     """A running Inverse Service."""
+    del stalls  # as below
     with inverse_service(tmp_path) as service:
         yield service
         assert service.board.get("violations") == 0, service.board.said
@@ -56,3 +64,15 @@ def moved(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Moved:
     with_tools = replace(bare, columns={**bare.columns, "tool_place": places})
     monkeypatch.setattr("cotouch.drivers._recorded.read_recording", lambda _path: with_tools)
     return Moved(path, time, place)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) -> Generator[None, pytest.TestReport]:
+    """Notes that a device failed a test as it waited in vain while the machine stood still: it is taken again."""
+    report = yield
+    watch = getattr(item, "funcargs", {}).get("stalls")
+    if watch is not None and call.excinfo is not None and stalled(call.excinfo.value):
+        now = time.monotonic()
+        time.sleep(0.05)  # the watch writes a little later
+        report.stalled = watch.lost(now - 0.5, now) >= WAITS  # type: ignore[attr-defined]
+    return report

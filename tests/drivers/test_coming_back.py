@@ -5,11 +5,10 @@ from collections.abc import Callable, Generator
 from pathlib import Path
 
 import pytest
-from tests.drivers.driving import PUSH, stalled
+from tests.drivers.driving import PUSH
 from tests.drivers.inside import ForceDimension, Inverse3, Touch
 from tests.drivers.standin import Board, Fault, Service
 from tests.haptics.inside import OrderWriter
-from tests.stalls import Stalls
 
 from cotouch.haptics import (
     Cause,
@@ -26,8 +25,6 @@ from cotouch.mechanics import EnergyMessage
 
 # Shorter than the 40 ms after which whoever watches takes a servo for dead, longer than any watchdog here [s].
 PAUSE = 0.025
-# No device here gives up sooner [s].
-WAITS = 0.03
 # A report is written down some time after its cycle looked at the clock [s].
 RAMP_SLACK = 0.002
 
@@ -35,22 +32,21 @@ RAMP_SLACK = 0.002
 class Loop:
     """A servo around a device in this process, whose proxy is always beside it; every report is kept."""
 
-    def __init__(self, device: Device, folder: Path, stalls: Stalls) -> None:
-        self.stalls = stalls
+    def __init__(self, device: Device, folder: Path) -> None:
         device.open()
         device.calibrate(allow_motion=False)
         settings = ServoSettings(device=DeviceChoice("stand-in"), folder=folder)
         self.servo = Servo(device, settings, watched=lambda: True)
         self.orders = OrderWriter(folder)
-        self.rearm = 0
+        self.rearm, self.given = 0, 1.0
         self.reports: list[tuple[float, ServoReport]] = []  # and when its cycle had ended
 
     def cycle(self) -> ServoReport:
-        order = Order(time=time.monotonic(), place=(0.03, 0.0, 0.0), message=EnergyMessage(given=1.0), enable=True)
+        self.given += 1e-3  # energy that never ends, however long it takes until force is back
+        message = EnergyMessage(given=self.given)
+        order = Order(time=time.monotonic(), place=(0.03, 0.0, 0.0), message=message, enable=True)
         self.orders.write(order._replace(rearm=self.rearm))
-        if not self.servo.cycle():
-            assert stalled(self.servo.fault), self.servo.fault
-            self.stalls.failed(self.servo.fault, WAITS)
+        assert self.servo.cycle(), self.servo.fault
         report = self.servo._report
         assert report is not None
         if report.causes & Cause.FAST:  # nobody holds it as firmly as a person does
@@ -72,21 +68,21 @@ class Loop:
 
 
 @pytest.fixture
-def omega(board: Board, built: Path, tmp_path: Path, stalls: Stalls) -> Generator[Loop]:
-    loop = Loop(ForceDimension(library=str(built)), tmp_path, stalls)
+def omega(board: Board, built: Path, tmp_path: Path) -> Generator[Loop]:
+    loop = Loop(ForceDimension(library=str(built)), tmp_path)
     yield loop
     loop.close()
 
 
 @pytest.fixture(params=["haply", "force_dimension", "touch"])
-def any_device(request: pytest.FixtureRequest, tmp_path: Path, stalls: Stalls) -> Generator[tuple[Loop, Board]]:
+def any_device(request: pytest.FixtureRequest, tmp_path: Path) -> Generator[tuple[Loop, Board]]:
     if request.param == "haply":
         service: Service = request.getfixturevalue("service")
         device, board = Inverse3(url=service.url, events=service.events), service.board
     else:
         board, library = request.getfixturevalue("board"), str(request.getfixturevalue("built"))
         device = Touch(library=library) if request.param == "touch" else ForceDimension(library=library)
-    loop = Loop(device, tmp_path, stalls)
+    loop = Loop(device, tmp_path)
     yield loop, board
     loop.close()
 
@@ -170,6 +166,9 @@ def test_a_force_that_nobody_renewed_is_not_there_at_once_when_it_is_renewed(boa
         assert not renewed.force.any()
         time.sleep(0.005)
         assert not any(board.get("force"))  # until whoever gives it knows
-        assert device.exchange(PUSH).flags & Flag.FORCE_ON
+        for _ in range(500):  # a machine that stands still may take it once more
+            if device.exchange(PUSH).flags & Flag.FORCE_ON:
+                return
+        pytest.fail("it does not come back")
     finally:
         device.close()

@@ -26,7 +26,7 @@ def gone(device: Device, board: Board, fault: Fault, value: float, words: str, s
         device.stop()
         device.close()
         time.sleep(0.01)
-        stalls.within(board.get("struck"), board.zero_after(board.get("struck")))
+        stalls.within(board.get("struck"), board.gone_after(board.get("struck")))
     finally:
         device.close()
 
@@ -119,7 +119,7 @@ def test_forces_that_are_no_numbers_take_the_force_away(pair: tuple[Device, Boar
         with pytest.raises(DeviceError, match="not finite"):
             device.exchange(np.array([0.0, np.nan, 0.0]))
         time.sleep(0.02)
-        stalls.within(began, board.zero_after(began))
+        stalls.within(began, board.gone_after(began))
     finally:
         device.close()
 
@@ -137,13 +137,14 @@ def test_stop_from_another_thread_while_the_loop_goes_on_pushing(pair: tuple[Dev
 
         thread = threading.Thread(target=stop)
         thread.start()
-        last = push(device, 100)  # the loop knows nothing of it
-        thread.join()
+        while thread.is_alive():
+            push(device, 1)  # the loop knows nothing of it
+        last = push(device, 50)
         assert not last.flags & Flag.FORCE_ON
+        stalls.within(stopped[0], board.gone_after(stopped[0]))
         assert not np.any(
             board.get("motor" if device.spec.name == HAPLY.spec.name else "force")
         )  # nor is any asked for
-        stalls.within(stopped[0], board.zero_after(stopped[0]))
         device.enable_force()
         wanted = pytest.approx(float(np.linalg.norm(PUSH)), rel=1e-5)
         for _ in range(500):  # the process that plays the motors may have to wait for its turn
@@ -155,9 +156,9 @@ def test_stop_from_another_thread_while_the_loop_goes_on_pushing(pair: tuple[Dev
         device.close()
 
 
-def test_closing_leaves_no_force(pair: tuple[Device, Board]):
+def test_closing_leaves_no_force(pair: tuple[Device, Board], stalls: Stalls):
     device, board = pair
     ready(device, 20)
+    closed = time.monotonic()
     device.close()
-    time.sleep(0.02)
-    assert board.zero_after(time.monotonic()) == 0.0
+    stalls.within(closed, board.gone_after(closed))

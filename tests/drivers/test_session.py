@@ -81,7 +81,7 @@ def test_an_inverse3_takes_part_until_it_is_unplugged_and_the_others_go_on(
     service.board.inject(Fault.UNPLUGGED)  # while its hand goes round
     running.until(lambda: "the device failed" in running.err("Ann"), "the reason, on Ann's screen")
     struck = service.board.get("struck")
-    stalls.within(struck, service.board.zero_after(struck))
+    stalls.within(struck, service.board.gone_after(struck))
     time.sleep(1.0)
     assert ann.poll() is None
     assert ben.poll() is None

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
-from tests.drivers.driving import TWIST, fails, is_sentence, push, ready
+from tests.drivers.driving import TWIST, acts, fails, is_sentence, push, ready
 from tests.drivers.inside import ForceDimension, Touch, quaternion_of
 from tests.drivers.standin import Board, Fault
 from tests.stalls import Stalls
@@ -71,21 +71,19 @@ def test_limits_of_torque(board: Board, device: Device6):
 
 def test_torque_alone_is_taken_away_as_force_is(board: Board, device: Device6, stalls: Stalls):
     ready(device)
-    push(device, 20, OFF)
-    assert any(board.get("twist"))
+    acts(device, board, "twist", OFF)
     for take in (device.stop, lambda: device.enable_force(False)):
         began = time.monotonic()
         take()
         reading = push(device, 5, OFF)
         assert not np.any(reading.torque)
         assert not any(board.get("torque"))
-        stalls.within(began, board.zero_after(began))
+        stalls.within(began, board.gone_after(began))
         device.enable_force()
-        push(device, 20, OFF)
-        assert any(board.get("twist"))
+        acts(device, board, "twist", OFF)
     began = time.monotonic()
     time.sleep(0.15)  # the servo hangs: the firmware or the library's tick knows
-    stalls.within(began, board.zero_after(began))
+    stalls.within(began, board.gone_after(began))
 
 
 @pytest.mark.parametrize(

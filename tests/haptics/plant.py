@@ -64,7 +64,7 @@ class Plant:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self._process = subprocess.Popen([sys.executable, __file__, str(folder)])
-        end = time.monotonic() + 20.0
+        end = time.monotonic() + 60.0
         while not (folder / "log").exists():
             assert time.monotonic() < end
             time.sleep(0.01)

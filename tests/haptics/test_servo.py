@@ -39,18 +39,19 @@ class Loop:
         self.servo = Servo(device, settings, watched=lambda: self.watched, attended=lambda: self.attended)
         self.orders, self.reports = OrderWriter(folder), ReportReader(folder)
         self.report: ServoReport | None = None
-        self.runs, self.rearm, self.enable = True, 0, True
+        self.runs, self.rearm, self.enable, self.given = True, 0, True, 1.0
 
     def until(self, done: Callable[[], object], what: str, *, orders: bool = True) -> None:
-        end = time.monotonic() + 20.0
+        end = time.monotonic() + 60.0
         while not done():
             assert time.monotonic() < end, f"{what}: {self.report}"
+            self.given += 1e-3  # energy that never ends, however long a test takes
             if orders:
                 self.orders.write(
                     Order(
                         time=time.monotonic(),
                         place=(0.03, 0.0, 0.0),
-                        message=EnergyMessage(given=1.0),
+                        message=EnergyMessage(given=self.given),
                         enable=self.enable,
                         rearm=self.rearm,
                     )
