@@ -7,10 +7,11 @@ from cotouch.haptics._quaternions import way_back
 from cotouch.haptics._safety import STOOD
 from cotouch.haptics._servo import _hung_up as hung_up
 from cotouch.haptics._simulated import with_wrist
-from cotouch.haptics._warning_log import WarningLog
+from cotouch.haptics._warning_log import USUAL, WarningLog
 
 __all__ = [
     "STOOD",
+    "USUAL",
     "End",
     "OrderReader",
     "OrderWriter",

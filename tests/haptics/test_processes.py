@@ -16,6 +16,7 @@ from pathlib import Path
 
 import pytest
 from tests.conftest import IMPORTS, ROOT
+from tests.haptics.inside import USUAL
 from tests.haptics.plant import GOOD, THROW, Plant
 from tests.stalls import Stalls
 
@@ -159,6 +160,8 @@ def test_a_peer_that_is_killed_leaves_no_force_and_no_process(plant: Plant, stal
 
 def test_a_peer_that_says_nothing_leaves_no_force_and_may_come_back(lasting: tuple[Plant, Held], stalls: Stalls):
     plant, held = lasting
+    felt = lambda: held.link.report is not None and not held.link.causes & ~USUAL  # noqa: E731
+    held.until(felt, "the peer knows of the force: it is not told why there never was any")
     began = time.monotonic()
     held.until(lambda: held.link.causes & Cause.SILENT, "silent", orders=False)
     held.until(lambda: plant.force == 0.0, "no force", orders=False)
