@@ -42,6 +42,17 @@ class Stalls:
                 found += lost * (min(stop, end) - max(start, begin)) / (stop - start)
         return found
 
+    def stood(self, begin: float, at_least: float) -> bool:
+        """Whether the machine stood still for so long at a stretch since a moment of the monotonic clock.
+
+        Args:
+            begin: when [s].
+            at_least: what matters [s].
+        """
+        time.sleep(0.05)  # the watch writes a little later
+        lines = [tuple(map(float, line.split())) for line in self._log.read_text().splitlines()]
+        return any(stop > begin and lost >= at_least for _, stop, lost in lines)
+
     def within(self, began: float, gone: float, limit: float = WITHIN) -> None:
         """Asserts that force was gone in time.
 

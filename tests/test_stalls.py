@@ -35,3 +35,9 @@ def test_what_is_later_than_that_is_a_failure(watch: Stalls, began: float, gone:
 def test_a_processor_that_was_kept_from_the_machine_is_seen():
     told = "cpu  9 0 0 9 0 0 0 700 0 0\ncpu0 5 0 0 5 0 0 0 300 0 0\ncpu1 4 0 0 4 0 0 0 400 0 0\nintr 1 2\nctxt 5\n"
     assert stolen(told) == [3.0, 4.0]
+
+
+def test_how_long_at_a_stretch(watch: Stalls):
+    assert watch.stood(10.0, 0.03)
+    assert not watch.stood(10.0, 0.031)
+    assert not watch.stood(10.07, 0.001)
