@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.drivers.driving import PUSH, in_motion, push, ready
+from tests.drivers.driving import PUSH, TWIST, in_motion, push, ready
 from tests.drivers.mutants import Drivers, mutated
 from tests.drivers.standin import Board, Fault
 
@@ -148,12 +148,18 @@ def expert_calls(drivers: Drivers, board: Board, library: str) -> None:
     assert board.get("violations") == 0, board.said
 
 
+def most(device: Device, board: Board, what: str, force: np.ndarray = PUSH, twist: np.ndarray = TWIST) -> float:
+    """The most that goes out while it is pushed; a machine that stands still has it taken away now and then."""
+    seen = list[float]()
+    push(device, 50, force, lambda _: seen.append(float(np.linalg.norm(board.get(what)))), twist)
+    return max(seen)
+
+
 def clipped(drivers: Drivers, board: Board, library: str) -> None:
     """No more goes out than the device can, whoever asks."""
     device = ready(drivers.Touch(library=library))
     try:
-        push(device, 10, np.array([0.0, 0.0, 50.0]))
-        assert np.linalg.norm(board.get("force")) < 3.4
+        assert 3.0 < most(device, board, "force", np.array([0.0, 0.0, 50.0])) < 3.4
     finally:
         device.close()
 
@@ -186,8 +192,7 @@ def clipped_torque(drivers: Drivers, board: Board, library: str) -> None:
     for make in (drivers.Touch, drivers.ForceDimension):
         device = ready(make(library=library))
         try:
-            push(device, 10, twist=np.array([0.0, 0.0, 5.0]))
-            assert 0.1 < np.linalg.norm(board.get("torque")) <= 0.2
+            assert 0.1 < most(device, board, "torque", twist=np.array([0.0, 0.0, 5.0])) <= 0.2
         finally:
             device.close()
 
