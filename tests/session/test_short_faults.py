@@ -54,7 +54,7 @@ def test_a_process_that_stood_still_and_other_addresses(tmp_path: Path) -> None:
             again("other addresses")
             # Whoever is not seen any more is out after 6 s; so nobody was.
             time.sleep(7.0)
-            assert coupled()
+            played.wait(coupled, "not coupled in the end")
             assert played.epoch() == number
             said = {name: played.stop(name) for name in names}
     recordings = judged(played, said, FORCE)
