@@ -171,7 +171,7 @@ def test_nothing_is_left_of_a_star_that_was_killed():
     star = Star(3)
     os.kill(star.hub.pid, signal.SIGKILL)
     star.hub.wait(10)
-    for _ in range(200):
+    for _ in range(1200):
         if not any(alive(pid) for pid in star.holders):
             break
         time.sleep(0.05)

@@ -12,7 +12,7 @@ from websockets.sync.client import ClientConnection, connect
 
 from cotouch.web import PageServer
 
-PATIENCE = 20.0
+PATIENCE = 60.0
 # What is waited for comes within a tenth of so many messages.
 MOST = 600
 
