@@ -102,7 +102,7 @@ def drag(page: Page) -> None:
     page.mouse.move(x + 60, y - 190, steps=6)
     until(page, "store.frame.copies.find((copy) => copy.slot === 0).mode === 'grab'")
     until(page, DRAWN_ALONG, MOVED)
-    assert page.evaluate("() => window.cotouch.stats.dragToMesh.length") > 0
+    until(page, "stats.dragToMesh.length > 0")
 
 
 def test_a_session_is_held_cut_killed_and_watched_from_a_page(tmp_path: Path) -> None:
@@ -147,7 +147,7 @@ def test_a_session_is_held_cut_killed_and_watched_from_a_page(tmp_path: Path) ->
         # Members came and went, and still every joule is somewhere.
         assert max(map(abs, page.evaluate(OFF))) < 1e-9
         page.click("#tab-energy")
-        assert page.evaluate("() => Object.values(window.cotouch.store.state.members).some((one) => one.rescaled)")
+        until(page, "Object.values(store.state.members).some((one) => one.rescaled)")
         page.wait_for_function(f"() => ({LEFT})() <= 1e-9 && ({LEFT})() >= 0")
         context.close()
     assert [one for one in said if not one.startswith("log")] == []
