@@ -10,6 +10,7 @@ from tests.mechanics.materials import made as soft
 from tests.mechanics.pressing import Pressed
 
 from cotouch.body import Body, lattice
+from cotouch.mechanics import BODY_LOSS, ELASTIC, KINETIC, TOUCHED
 
 Float = npt.NDArray[np.float64]
 Caught = list[bool]
@@ -129,11 +130,15 @@ def test_a_jammed_ball_comes_free() -> None:
     copy.tools.radius[:], copy.tools.mass[:], copy.tools.stiffness[:] = 0.003, 0.019, 4950.0
     copy.tools.place[0, :3], copy.tools.rate[0, :3] = [0.00992, 0.01258, 0.0245], [1.60322, 2.10986, -4.72688]
     copy.begin()
-    jammed = 0
+    jammed, lacks = 0, 0.0
     for _ in range(60):
+        own = copy.ledger[KINETIC] + copy.ledger[ELASTIC]
         copy.step(3.241e-3)
         jammed += int(copy.contact.work.goal[0] < JAMMED)
+        gained = copy.touch_ledger[TOUCHED] - copy.ledger[BODY_LOSS]
+        lacks = max(lacks, abs(float(copy.ledger[KINETIC] + copy.ledger[ELASTIC] - own - gained)))
     assert 0 < jammed <= 5
+    assert lacks <= 1e-13 * copy.in_play  # what it loses with the ball, the ball did on it
     assert copy.residual <= 1e-13 * copy.in_play
 
 

@@ -375,6 +375,26 @@ def test_what_lies_in_two_others_at_once_holds_what_places_say(made: Callable[[]
     assert twice > 100
 
 
+@pytest.mark.parametrize("goes_on", [1e-9, 0.02])
+def test_what_has_come_out_of_another_holds_nothing(goes_on: float) -> None:
+    """Friction that pulled until then is lost at once, not in the next step, which may not look so far."""
+    low, high = die(), (die(), (0.0, 0.0, SIDE - 1e-4), (0.0,) * 3)
+    pair = Several(low, high, between=Between(stiffness=1e7, loss=0.0, friction=0.5))
+    world, memory, places = pair.force.world, pair.state.memory.copy(), [np.zeros((pair.body.nodes, 3))]
+    assert world is not None
+    for way in ([1e-5, 0.0, 0.0], [1e-3, 0.0, 5e-3], [goes_on, 0.0, goes_on]):
+        places.append(places[-1].copy())
+        places[-1][pair.span(1)] += way
+    at, slid, out, on = (pair.rows(place) for place in places)
+    held = begin_world(world, memory, at)
+    stuck, _ = follow_world(world, memory, at, slid, 0.01)
+    assert stuck > held > 0.0
+    stored, lost = follow_world(world, memory, slid, out, 0.01)
+    assert stored == 0.0
+    assert lost > 0.0
+    assert follow_world(world, memory, out, on, 0.01) == (0.0, 0.0)
+
+
 def test_what_appears_in_an_inside_out_skin_sleeps() -> None:
     """All that is outside such a skin is behind its triangles; as deep as it would be, no motion could have come."""
     crumb = lattice((3, 3, 3), mass=0.1, stiffness=1e3, spacing=0.01, model="cells")

@@ -48,6 +48,7 @@ def report(k: int, links: int = 1, value: float = 0.0) -> StepReport:
         closure=0.0,
         closure_factor=0.0,
         closing=None,
+        jammed=None,
         shortened=0.0,
         world_loss=0.0,
         world_stored=0.0,

@@ -8,6 +8,7 @@ from cotouch.mechanics._bounds import beyond, written_here
 from cotouch.mechanics._closed import CLOSURE_ALARM, closed_settle, closed_step, slowed
 from cotouch.mechanics._contact_conform import conform_contact_law, contact_law_named
 from cotouch.mechanics._contact_foundation import Foundation
+from cotouch.mechanics._contact_jammed import jammed_about
 from cotouch.mechanics._contact_law import CONTACT_LAWS, press
 from cotouch.mechanics._contact_parts import contact_parts
 from cotouch.mechanics._contact_relief import Relief, relief_on
@@ -220,6 +221,7 @@ __all__ = [
     "idle_ports",
     "inner",
     "inner_energy",
+    "jammed_about",
     "kernel",
     "lean",
     "load",

@@ -25,7 +25,7 @@ from cotouch.mechanics._operator import MASS, Operator, mixed, multiply, pull, r
 from cotouch.mechanics._state import KINETIC, Links, Ports, State, Workspace
 from cotouch.mechanics._step import assemble
 from cotouch.mechanics._surface import Surface
-from cotouch.mechanics._tools import GRASP, PROXY, TOUCH, TOUCH_LOSS, Tools
+from cotouch.mechanics._tools import GRASP, PROXY, TOUCH, TOUCH_LOSS, TOUCHED, Tools
 from cotouch.mechanics._vector import at, load, put, splat, store, total
 from cotouch.mechanics._world import World
 
@@ -214,7 +214,7 @@ def lose_motion(
         parts: the bodies; None: there is one.
         touch: scratch.
         ledger: KINETIC is changed.
-        touch_ledger: PROXY and TOUCH_LOSS are changed.
+        touch_ledger: TOUCHED, PROXY and TOUCH_LOSS are changed.
         lanes: fixes the width of a row.
     """
     whole, spot, velocity = touch.whole, touch.spot, state.velocity
@@ -252,6 +252,7 @@ def lose_motion(
     if state.memory.shape[0] > 0:
         state.memory[MOTION] -= lost
     ledger[KINETIC] -= op.copy_scale * lost
+    touch_ledger[TOUCHED] -= op.copy_scale * lost
     touch_ledger[TOUCH_LOSS] += op.copy_scale * lost
     for t in range(tools.mode.shape[0]):
         for a in range(3 if touch.caught[t, 4] != 0.0 else 0):

@@ -280,15 +280,16 @@ def weigh_bodies(
             put(world.force, (row, 0), at(world.force, (row, 0)) + sign * fx)
             put(world.force, (row, 1), at(world.force, (row, 1)) + sign * fy)
             put(world.force, (row, 2), at(world.force, (row, 2)) + sign * fz)
-        here, dropped = kept + 4 * (slot + p), stretched(firm, ex, ey, ez)
-        if at(m.ended, (e, 0)) > deepest:
-            dropped, held, deepest = held, dropped, at(m.ended, (e, 0))
+        # Of a point that is out nothing is kept: whether the next step finds it depends on how far that looks.
+        here, deep, dropped = kept + 4 * (slot + p), at(m.ended, (e, 0)), stretched(firm, ex, ey, ez)
+        if deep > max(deepest, 0.0):
+            dropped, held = held, dropped
             put(memory, here, ex)
             put(memory, here + 1, ey)
             put(memory, here + 2, ez)
             put(memory, here + 3, mark_of(other, slips))
-        energy, lost = energy - dropped, lost + dropped
-        within += 1 if at(m.ended, (e, 0)) > 0.0 else 0
+        energy, lost, deepest = energy - dropped, lost + dropped, max(deepest, deep)
+        within += 1 if deep > 0.0 else 0
         if is_last(m, e):
             put_within(memory, here, within)
             follow_offset(world, memory, slot + p, deepest)

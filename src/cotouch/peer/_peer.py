@@ -34,6 +34,7 @@ from cotouch.mechanics import (
     closing_of,
     contact_parts,
     contact_step,
+    jammed_about,
     mixed_stretch,
     move_apart,
     push_of,
@@ -301,11 +302,13 @@ class Peer:
         contact = self._contact
         apart = tools is not None and bool(self.model.body.tools) and are_apart(force, tools)
         damping, rest = (self._local, self._extra), (joined.work, *self._solver, lanes)
+        self._jammed = None
         if self.cuts is not None:
             self.cuts.begin(contact)
         if tools is not None and surface is not None and contact is not None and not apart:
             what = surface, tools, *damping, T, own, work
             contact_step(contact, op, force, state, links, ports, *what, ledger, touched, *rest)
+            self._jammed = jammed_about(contact.work, tools, force)
         elif force is not None:
             closed_step(op, force, state, links, ports, *damping, T, own, work, ledger, *rest)
             if tools is not None:
@@ -358,6 +361,7 @@ class Peer:
             residual=energy - self._energy - supplied + lost - sum(joined.work.tolist()),
             age=np.array(age),
             closing=self._closing,
+            jammed=self._jammed,
             cut_elements=() if self.cuts is None else self.cuts.new,
             rescaled=self._rescaled,
             advanced=advanced,

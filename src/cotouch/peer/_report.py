@@ -58,6 +58,8 @@ class StepReport:
         closure_factor: |β - 1|, by how much that changed the velocity; above CLOSURE_ALARM forces and energy disagree.
         closing: of several bodies, of each the factor β on its velocity, and the velocity about which that acted,
             (bodies, 4) [1, m/s]; None of one.
+        jammed: about which velocity bodies, then tools, lost half of their motion at the end, as a tool was jammed,
+            (bodies + tools, 3) [m/s], NaN of those that did not; mostly None.
         shortened: which share of the step was given up, because its energy could not be balanced; mostly 0.
         world_loss: of body_loss: lost in friction and damping at planes and boxes [J].
         world_stored: of elastic: held by them after the step [J].
@@ -90,6 +92,7 @@ class StepReport:
     closure: float
     closure_factor: float
     closing: Float | None
+    jammed: Float | None
     shortened: float
     world_loss: float
     world_stored: float

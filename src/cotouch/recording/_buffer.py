@@ -10,7 +10,7 @@ import numpy.typing as npt
 from cotouch.arrays import Array, Float, Long
 from cotouch.mechanics import State, Tools
 from cotouch.peer import LinkState, StepReport
-from cotouch.recording._columns import CLOSING, SCALARS, UNSAID, Batch
+from cotouch.recording._columns import CLOSING, JAMMED, SCALARS, UNSAID, Batch
 
 Extra = Mapping[str, float | Sequence[float] | Array]
 
@@ -162,6 +162,8 @@ class Buffer:
             self.states = at + 1
         if report.closing is not None:
             extra = {CLOSING: report.closing, **(extra or {})}
+        if report.jammed is not None:
+            extra = {JAMMED: report.jammed, **(extra or {})}
         if extra is not None:
             for name, value in extra.items():
                 column = self._extra.get(name)

@@ -22,7 +22,7 @@ def reopened(recording: "Recording", at: Long, v: Float, share: float) -> tuple[
     Args:
         recording: of a body with a material.
         at: steps whose states are recorded.
-        v: velocities after these, (steps, rows, axes) [m/s].
+        v: velocities after these, before what a jammed tool lost, (steps, rows, axes) [m/s].
         share: of the body that the copy carried.
 
     Returns:

@@ -42,10 +42,16 @@ SCALARS: dict[str, tuple[str, str]] = {
     "cut": ("J", "lost after the step with the elements that were cut then"),
 }
 CLOSING = "closing"
+JAMMED = "jammed"
 # More than one number for each step: unit, meaning, extents after the first.
 VECTORS: dict[str, tuple[str, str, str]] = {
     "force": ("N", "mean force of the step at every port", "ports, axes"),
     CLOSING: ("1, m/s", "of several bodies: factor on the velocity of each, and about which it acted", "bodies, 4"),
+    JAMMED: (
+        "m/s",
+        "about which velocity bodies, then tools, lost half of their motion after the step, as a tool jammed; else NaN",
+        "bodies + tools, 3",
+    ),
     "link_work": ("J", "work that each link did on the copy", "links"),
     "age": ("s", "of each link's sample at the end of the step, by the clocks as they are", "links"),
     "used": (

@@ -11,7 +11,7 @@ from cotouch.arrays import Array, Float
 from cotouch.errors import RecordingError
 from cotouch.files import write_netcdf
 from cotouch.peer import LinkState
-from cotouch.recording._columns import CLOSING, EXCHANGE, GUARDS, HOW_SAID, SAID
+from cotouch.recording._columns import CLOSING, EXCHANGE, GUARDS, HOW_SAID, JAMMED, SAID, VECTORS
 from cotouch.recording._links import align
 from cotouch.recording._recording import Recording
 from cotouch.recording._slack import slack_of
@@ -172,7 +172,8 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
     extra = [name for recording in recordings for name in recording.columns if name not in known and name not in ledger]
     for name in dict.fromkeys(extra):
         unit, text = next(
-            (r.header.columns[name] for r in recordings if name in r.header.columns), ("1", "as recorded")
+            (r.header.columns[name] for r in recordings if name in r.header.columns),
+            VECTORS[JAMMED][:2] if name == JAMMED else ("1", "as recorded"),
         )
         wide = max(r.columns[name].ndim for r in recordings if name in r.columns) - 1
         column(name, ("user", "step", *(f"{name}_{k}" for k in range(wide))), unit, text)

@@ -16,6 +16,7 @@ from cotouch.peer import LinkState
 from cotouch.recording._body import RecordedBody
 from cotouch.recording._closing import reopened
 from cotouch.recording._columns import UNSAID
+from cotouch.recording._jammed import Jammed, before_loss, jammed_of
 from cotouch.recording._outside import Outside, cut_steps, outside_of, scale_of, sunk_of
 from cotouch.recording._recording import Recording, Setup
 from cotouch.recording._said import told
@@ -105,7 +106,7 @@ def _motion(recording: Recording, others: Sequence[Recording], offset: float) ->
     copies = np.ones(steps)
     closure = np.array(columns["closure"]) if body.material is not None else np.zeros(steps)
     scale, potential = scale_of(recording), np.zeros(rows.size)
-    outside = outside_of(recording, scale)
+    outside, jammed = outside_of(recording, scale), jammed_of(recording)
     for setup, span in recording.setup_rows():
         copies[span] = setup.copies
         chosen = np.flatnonzero((rows >= span.start) & (rows < span.stop))
@@ -113,7 +114,7 @@ def _motion(recording: Recording, others: Sequence[Recording], offset: float) ->
             continue
         at = rows[chosen]
         around = None if outside is None else Outside(*(values[chosen] for values in outside))
-        step = _Steps(body, recording, chosen, T[at], setup, scale[at], around)
+        step = _Steps(body, recording, chosen, T[at], setup, scale[at], around, jammed)
         known["supplied"][at] = step.supplied(columns["force"][at], known["supplied"][at])
         for name, values in zip(LOSSES, step.losses(), strict=True):
             known[name][at] = values
@@ -128,7 +129,7 @@ def _motion(recording: Recording, others: Sequence[Recording], offset: float) ->
             work, found = step.link(entry, column, other, at)
             link[at[found], column] = work[found]
             link_known[at[found], column] = True
-    extra, drive, tool_difference = _tools(recording)
+    extra, drive, tool_difference = _tools(recording, jammed)
     known["drive_work"] = drive
     difference = {name: known[name] - columns[name] for name in known}
     if body.material is not None:
@@ -183,6 +184,7 @@ class _Steps:
         setup: Setup,
         scale: Float,
         outside: Outside | None,
+        jammed: Jammed | None,
     ) -> None:
         self.body, self.recording, self.setup, self.T = body, recording, setup, T
         x, self.v, self.middle = (body.field(recording.states[name][chosen]) for name in ("x", "v", "middle"))
@@ -191,13 +193,14 @@ class _Steps:
         self.copy_scale = 1.0 / setup.copies
         at = recording.states["state_row"][chosen]
         self.stiff, self.outside, self.potential = scale, outside, np.zeros(T.size)
-        self.start, self.unclosed, self.closure = 2.0 * self.middle - x, self.v, np.zeros(T.size)
+        moving = self.v if jammed is None else before_loss(self.v, jammed.rows(recording, at))
+        self.start, self.unclosed, self.closure = 2.0 * self.middle - x, moving, np.zeros(T.size)
         material = body.material
         when = cut_steps(recording) if material is not None else np.zeros(0)
         index, self.booked = recording.columns["index"][at], recording.columns["cut"][at]
         self.inner = None if material is None else material.energies(self.start, x, self.mean, index=index, when=when)
         if material is not None:
-            self.unclosed, self.closure = reopened(recording, at, self.v, self.copy_scale)
+            self.unclosed, self.closure = reopened(recording, at, moving, self.copy_scale)
 
     def energies(self) -> tuple[Float, Float, float]:
         """After each step, before it, and what rounding may make of them."""
@@ -336,7 +339,7 @@ def _carried(recording: Recording, kept: Bool, stored: Float, start: Float, gain
     return carried, members
 
 
-def _tools(recording: Recording) -> tuple[Float, Float, dict[str, Float]]:
+def _tools(recording: Recording, jammed: Jammed | None) -> tuple[Float, Float, dict[str, Float]]:
     """Energy of proxies and contacts, work of the drives, and where those differ from the ledger.
 
     Where there are no tools there is nothing of these, whatever the ledger says.
@@ -355,6 +358,8 @@ def _tools(recording: Recording) -> tuple[Float, Float, dict[str, Float]]:
         if len(setup.tool_mass) == mass.shape[1]:
             mass[span] = setup.tool_mass
     kinetic = 0.5 * (mass * (rate**2).sum(axis=2)).sum(axis=1)
+    moving = rate if jammed is None else before_loss(rate, jammed.tools)
+    lost = 0.5 * (mass * (moving**2 - rate**2).sum(axis=2)).sum(axis=1)
     follows = recording.consecutive
     moved = np.zeros_like(place)
     moved[1:] = np.diff(place, axis=0)
@@ -370,7 +375,7 @@ def _tools(recording: Recording) -> tuple[Float, Float, dict[str, Float]]:
         drive,
         {
             "held": kinetic + stored - columns["proxy"] - columns["touch_stored"],
-            "proxies": np.where(follows, kinetic - before - worked - felt, 0.0),
-            "contacts": np.where(follows, contact, 0.0),
+            "proxies": np.where(follows, kinetic + lost - before - worked - felt, 0.0),
+            "contacts": np.where(follows, contact + lost, 0.0),
         },
     )

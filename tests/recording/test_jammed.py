@@ -1,0 +1,138 @@
+"""Steps at whose end a jammed tool and what it touches lost half of their motion: no reason to accuse anybody."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from tests.recording.test_audit import recorded_world
+
+from cotouch.errors import RecordingError
+from cotouch.recording import Recording, audit, read_recording, recordings_dataset
+from cotouch.scenario import Scenario
+
+PAIR: dict[str, Any] = {"users": ["Ann", "Ben"], "spring": [[0, 50], [50, 0]], "delay": [[0, 0.02], [0.03, 0]]}
+BLOCK: dict[str, Any] = {"kind": "lattice", "shape": [4, 4, 3], "spacing": 0.02, "mass": 0.1}
+GROUND = {"ground": "z-", "ground_stiffness": 200.0}
+DIE = {"kind": "box", "size": [0.06, 0.06, 0.04], "resolution": 1, "mass": 0.1}
+CELLS = {**BLOCK, "model": "cells", "stiffness": 100.0, "damping": 0.02}
+BODIES: dict[str, dict[str, Any]] = {
+    "linear": {"body": {**BLOCK, **GROUND}},
+    "cells": {"body": {**CELLS, **GROUND}},
+    "two": {
+        "bodies": [
+            {**CELLS, "name": "low", "at": [0.03, 0.03, 0.02]},
+            {**DIE, "name": "high", "at": [0.2, 0.03, 0.03]},
+        ],
+        "between": {"stiffness": 1e7},
+    },
+}
+# A hand that strikes with all its might, and another that lets a second ball follow it.
+STRIKE: dict[str, Any] = {"stiffness": 2e4, "damping": 10.0}
+TOOLS: list[dict[str, Any]] = [
+    {
+        "user": 1,
+        "at": place,
+        "radius": 0.006,
+        "mass": 0.03,
+        "stiffness": 2000.0,
+        "hand": {**STRIKE, "path": [[0, 0, 0, 0], [0.02, 0.01, 0, -0.09], [1.0, 0.01, 0, -0.09]]},
+    }
+    for place in ([0.021, 0.031, 0.055], [0.041, 0.022, 0.075])
+]
+
+
+@pytest.fixture(scope="module", params=list(BODIES))
+def honest(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> list[Recording]:
+    scenario = Scenario.make(
+        network=PAIR,
+        steps={"duration": 0.16, "period": [0.008, 0.004]},
+        synchronisation={"law": "spring"},
+        tools=TOOLS,
+        **BODIES[request.param],
+    )
+    return [read_recording(path) for path in recorded_world(scenario, Path(tmp_path_factory.mktemp("jammed")))]
+
+
+def jammed(recording: Recording) -> list[int]:
+    """Steps in which something lost motion."""
+    return np.flatnonzero(np.isfinite(recording.columns["jammed"]).any(axis=(1, 2))).tolist()
+
+
+@pytest.mark.parametrize("every", [1, 4])
+def test_nobody_is_accused(honest: list[Recording], every: int) -> None:
+    """Whether all states are recorded or some."""
+    ann, ben = honest
+    assert "jammed" not in ben.columns
+    told = ann.columns["jammed"]
+    assert len(jammed(ann)) >= 3
+    lost = np.isfinite(told).all(axis=2)
+    assert lost[jammed(ann), 0].all()  # the block
+    assert lost[:, -2:].any(axis=0).all()  # each of the balls
+    assert lost.shape[1] == 3 or not lost[jammed(ann), 1].all()  # the die is elsewhere
+    kept = ann.states["state_row"] % every == 0
+    sparse = replace(ann, states={name: values[kept] for name, values in ann.states.items()})
+    result = audit([sparse, ben])
+    assert result.holds, result.verdict
+    assert result.users[0].touch_loss > 1e-2
+
+
+def claimed(recording: Recording, name: str, change: Callable[[Any], Any], step: int) -> Recording:
+    """With another number in one step."""
+    where = recording.columns if name in recording.columns else recording.states
+    values = np.array(where[name])
+    values[step] = change(values[step])
+    if name in recording.columns:
+        return replace(recording, columns={**recording.columns, name: values})
+    return replace(recording, states={**recording.states, name: values})
+
+
+@pytest.mark.parametrize(
+    ("name", "change"),
+    [
+        ("touch_work", lambda work: work + 4e-5),
+        ("touch_loss", lambda loss: loss - 4e-5),
+        ("touch_stored", lambda energy: energy + 4e-5),
+        ("tool_rate", lambda rate: 1.001 * rate),
+        ("v", lambda rate: 1.001 * rate),
+        ("jammed", lambda about: np.nan * about),
+        ("jammed", lambda about: 0.0 * about),
+    ],
+)
+def test_who_claims_energy_in_such_a_step_is_found(
+    honest: list[Recording], name: str, change: Callable[[Any], Any]
+) -> None:
+    ann, ben = honest
+    step = max(jammed(ann), key=lambda k: float(ann.columns["kinetic"][k]))
+    result = audit([claimed(ann, name, change, step), ben])
+    assert not result.holds
+    assert {finding.user for finding in result.findings} <= {0, None}
+
+
+def test_where_the_centre_is_nobody_says(honest: list[Recording]) -> None:
+    """It follows from the state, so who says another cannot make one motion of another."""
+    ann, ben = honest
+    step = jammed(ann)[0]
+    assert audit([claimed(ann, "jammed", lambda about: about + 1.0, step), ben]).holds
+
+
+def test_a_step_that_was_not_jammed_is_not_by_saying_so(honest: list[Recording]) -> None:
+    ann, ben = honest
+    moving = np.where(np.isin(np.arange(ann.steps), jammed(ann)), 0.0, ann.columns["kinetic"])
+    result = audit([claimed(ann, "jammed", np.ones_like, int(np.argmax(moving))), ben])
+    assert not result.holds
+
+
+def test_what_does_not_fit_is_refused(honest: list[Recording]) -> None:
+    ann, ben = honest
+    short = replace(ann, columns={**ann.columns, "jammed": ann.columns["jammed"][:, 1:]})
+    with pytest.raises(RecordingError, match="bodies and 2 tools jammed"):
+        audit([short, ben])
+
+
+def test_it_is_exported(honest: list[Recording]) -> None:
+    said = recordings_dataset(honest)["jammed"]
+    assert said.attrs["units"] == "m/s"
+    assert np.array_equal(said.values[0, 1 : 1 + honest[0].steps], honest[0].columns["jammed"], equal_nan=True)
