@@ -14,6 +14,7 @@ from cotouch.mechanics import (
     KINETIC,
     SHORTENED,
     TOUCH_LOSS,
+    TOUCH_STORED,
     Stiffening,
     press,
 )
@@ -309,3 +310,19 @@ def test_a_contact_that_nothing_was_paid_for_does_nothing_until_it_lets_go() -> 
         copy.lead([0.013, 0.009, top + 0.03], [0.013, 0.009, top + 0.03])
         copy.step(2e-3)
     assert copy.tools.share[0] == 1.0
+
+
+def test_the_tool_closes_what_begins_after_all_that_looks_see_of_a_step() -> None:
+    """Its contact holds a millionth of the tool's energy by then, but some of what a body has that hardly moves."""
+    T, speed, radius, told = 1e-3, 0.4, 0.008, 0
+    for late in (0.93, 0.94, 0.95):
+        copy = Pressed(made("cells", viscosity=2e-3, ground="z-", hold=300.0))
+        copy.tools.radius[:] = radius
+        copy.tools.place[0, :3] = [0.013, 0.009, 2.0 * SPACING + radius + late * speed * T]
+        copy.tools.rate[0, :3] = [0.0, 0.0, -speed]
+        copy.state.velocity[:, :3] = 5e-3 * np.random.default_rng(2).normal(size=(copy.body.nodes, 3))
+        copy.begin()
+        copy.step(T)
+        assert 0.02 < copy.touch_ledger[TOUCH_STORED] / copy.ledger[KINETIC] < 0.2
+        told += int(copy.ledger[SHORTENED] > 0.0 or copy.ledger[BETA] > CLOSURE_ALARM)
+    assert told == 0

@@ -559,6 +559,37 @@ def test_arrows_point_where_forces_do(still: Opened) -> None:
     assert end.min() < start.min() - 40
 
 
+def test_the_arrow_on_a_rigid_tool_ends_where_it_comes_in(running: Browser, tmp_path: Path) -> None:
+    """A hand within a ball presses it down: what began at the handle was hidden in the ball."""
+    points, faces = sphere(2)
+    points = 0.05 * points
+    path = Animation(
+        title="A ball pressed down",
+        users=["Ann"],
+        time=TIME,
+        vertices=np.broadcast_to(points, (FRAMES, 1, *points.shape)),
+        triangles=faces,
+        rest=points,
+        parts=[
+            {
+                "name": "ball",
+                "vertices": points.shape[0],
+                "colour": "#dddddd",
+                "tool": {"slot": 0, "number": 0, "handle": [0.0, 0.0, 0.0]},
+            }
+        ],
+        ports=PortTracks(owner=[0], place=np.zeros((FRAMES, 1, 3)), force=np.full((FRAMES, 1, 3), [0.0, 0.0, -2.0])),
+    ).write(tmp_path / "pressed.html")
+    opened = Opened(running, path, **STILL).ready()
+    picture = opened.picture("#picture")
+    rows, _ = np.nonzero((picture[..., 2] - picture[..., 0] > 70) & (picture[..., 2] > 90))
+    top = opened.page.evaluate("window.cotouch.seen([0, 0, 0.05])")[1]
+    assert rows.size > 50
+    assert rows.min() < top - 20
+    assert opened.complaints == []
+    opened.page.context.close()
+
+
 def test_turning_zooming_and_the_first_view_again(still: Opened) -> None:
     first = turned = still.picture("#picture")
     box = still.page.locator("#picture").bounding_box()

@@ -1,5 +1,5 @@
 // The page's space without a session: copies, hands, ground and obstacles of an animation at any of its moments.
-import { Box3, CylinderGeometry, Mesh, Quaternion, type ShaderMaterial, Scene as World, Vector3, WebGLRenderer } from "three";
+import { Box3, CylinderGeometry, Mesh, Quaternion, Ray, type ShaderMaterial, Scene as World, Vector3, WebGLRenderer } from "three";
 import { readTexture, type Obstacle, type Scene } from "../protocol";
 import { Common, CopyShown } from "../space/copy";
 import { Ground } from "../space/ground";
@@ -9,6 +9,7 @@ import { type Cell, project } from "../space/pick";
 import { HandProp, material, paint } from "../space/props";
 import { inSoftware } from "../space/quality";
 import { Shape } from "../space/shape";
+import { type RigidTool, leaves, poseOf } from "../space/tool";
 import type { Run, Touch } from "./data.js";
 
 export interface Tile extends Omit<Cell, "slot"> {
@@ -41,6 +42,7 @@ export class Shown {
   private readonly renderer: WebGLRenderer;
   private readonly world = new World();
   private readonly common: Common;
+  private readonly shape: Shape;
   private readonly copies: CopyShown[];
   private readonly hands: HandProp[][];
   /** Of tools, by number: those that cut. */
@@ -66,6 +68,7 @@ export class Shown {
     const shape = new Shape(scene);
     shape.loose = run.spans.length > 0;
     this.common = new Common(radius, shape);
+    this.shape = shape;
     this.common.scale.value = run.header.peaks.displacement / LEVELS;
     this.renderer = new WebGLRenderer({ canvas, antialias: !inSoftware(), alpha: true, powerPreference: "high-performance" });
     this.renderer.setClearAlpha(0);
@@ -176,7 +179,17 @@ export class Shown {
     const place = new Vector3().fromArray(touch.place, 3 * k);
     const force = new Vector3().fromArray(touch.force, 3 * k);
     if (touch === this.touches[0]) this.blades.get(k)?.position.copy(place);
-    hand.pose({ place, proxy: place, target: place, force, radius: touch.radius[k] ?? 0, edge: new Vector3(), arrow: null, pointed: false }, this.face);
+    const arrow = touch === this.touches[1] ? this.behind(touch.owner[k]!, place, force) : null;
+    hand.pose({ place, proxy: place, target: place, force, radius: touch.radius[k] ?? 0, edge: new Vector3(), arrow, pointed: false }, this.face);
+  }
+
+  /** Where the force comes in of a hand whose place is the handle of a rigid tool, within it; null: it is none, or nothing pushes. */
+  private behind(user: number, place: Vector3, force: Vector3): Vector3 | null {
+    const { rest, tools } = this.shape, { places } = this.copies[user]!.moving;
+    const near = (tool: RigidTool) => poseOf(tool, rest, places).handle.distanceTo(place) < 0.01 * this.sizes.radius;
+    const tool = tools.find((one) => one.slot === user && near(one)), out = new Vector3();
+    const met = tool && force.lengthSq() && leaves(tool, new Ray(place, force.clone().negate().normalize()), places, out);
+    return met ? out : null;
   }
 }
 

@@ -151,7 +151,6 @@ def balanced(
         start_attempts(force.parts)
         free_groups(force.parts)
         ask_length(work, lanes)
-    least, greatest = (1.0 - _EASY, 1.0 + _EASY) if touches else (LEAST, MOST)
     held_back = held_back or astray or most < 1.0
     central = held_back or is_free(op, force, links, ports, tools, touch, T, work, lanes)
     work.weighed[FIXED] = 1.0
@@ -218,6 +217,9 @@ def balanced(
                 lanes,
             )
             over, noise = op.copy_scale * over, op.copy_scale * weighed[NOISE]
+            for t in range(tools.mode.shape[0]):  # who comes in, or out, after all that looks see of the step
+                touches = touches or touch.stored[t] > 0.0 or tools.stored[t] > 0.0
+            least, greatest = (1.0 - _EASY, 1.0 + _EASY) if touches else (LEAST, MOST)
             rounded = abs(over) <= op.copy_scale * max(weighed[NOISE], weighed[ROUGH])
             hardly = weighed[HAVE] <= weighed[ROUGH]  # by the rounding of places, which tells nothing of forces
             # Who moves as a whole alone could make up for something only by that.
