@@ -4,9 +4,9 @@
 import math
 
 from cotouch.arrays import Float, Int
+from cotouch.mechanics._contact_beads import bead_place
 from cotouch.mechanics._contact_near import touched
 from cotouch.mechanics._contact_patch import overlap
-from cotouch.mechanics._contact_sweep import bead_place
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._fours import Quad, corner_rows, elements, four_rows
 from cotouch.mechanics._kernel import inner, part

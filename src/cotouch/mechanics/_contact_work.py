@@ -25,6 +25,7 @@ class ContactWork(NamedTuple):
         stack: boxes still to be looked at, (_STACK,).
         number: triangles near each tool, (tools,).
         near: which, (tools, F).
+        span: of fours of these: the first, and between which of its balls those are that may reach them, (F / 4, 3).
         clear: how far the middle of each tool is from all triangles at least, (tools,) [m].
         hits: how many of these the last look found to do something, (tools,).
         hit: which of the near ones, (tools, F).
@@ -93,6 +94,7 @@ class ContactWork(NamedTuple):
     stack: Int
     number: Int
     near: Int
+    span: Int
     clear: Float
     hits: Int
     hit: Int
@@ -181,6 +183,7 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         stack=np.zeros(_STACK, dtype=np.int32),
         number=np.zeros(tools, dtype=np.int32),
         near=np.zeros((tools, faces), dtype=np.int32),
+        span=np.zeros((-(-faces // 4), 3), dtype=np.int32),
         clear=np.zeros(tools),
         hits=np.zeros(tools, dtype=np.int32),
         hit=np.zeros((tools, faces), dtype=np.int32),
