@@ -7,6 +7,7 @@ import numpy as np
 from cotouch.arrays import Float, Int
 from cotouch.mechanics._contact_patch import FOUND
 from cotouch.mechanics._model import Model
+from cotouch.mechanics._state import CHANGES
 from cotouch.mechanics._surface import Fit, Surface, fit_of
 from cotouch.mechanics._tools import MOST_HELD
 from cotouch.passing import by_address
@@ -69,6 +70,9 @@ class ContactWork(NamedTuple):
         drive: of the tools without contact, (tools, 4) [N].
         inertia: likewise, (tools,) [Ns/m].
         pull: force of the contact on the tools, (tools, 4) [N].
+        lacks: what a motion that is sought misses of the forces on the tools, (tools, 4) [N].
+        kept: as of `Sought`.
+        grips: as `grip`, of looks that are kept, (tools, 4) [Ns/m].
         before: the same a look earlier, (tools, 4) [N].
         way: unit vector of the pressure on the tools, and its size [N], (tools, 4).
         grip: what resists motion of the tools along it and across, (tools, 2) [Ns/m].
@@ -136,6 +140,9 @@ class ContactWork(NamedTuple):
     drive: Float
     inertia: Float
     pull: Float
+    lacks: Float
+    kept: Float
+    grips: Float
     before: Float
     way: Float
     grip: Float
@@ -225,6 +232,9 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         drive=row(),
         inertia=np.zeros(tools),
         pull=row(),
+        lacks=row(),
+        kept=np.zeros(((2 + 2 * CHANGES) * tools, 4)),
+        grips=row(),
         before=row(),
         way=row(),
         grip=np.zeros((tools, 2)),
