@@ -1,5 +1,7 @@
 """Contact by a law on bodies that turn, bend far and are heavy: one balance of both, and what it must feel like."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 from tests.mechanics.materials import EVERY, SPACING, boxes, made, rotation
@@ -158,6 +160,53 @@ def test_a_grasp_that_pulls_within_long_steps_makes_no_energy() -> None:
         copy.step(0.04)
     assert copy.residual <= 5e-15 * copy.in_play
     assert copy.in_play < 100.0
+
+
+LONG = (0.01, 0.02, 0.03, 0.04)
+
+
+def moved_about(name: str, kind: str) -> tuple[Pressed, Callable[[float], np.ndarray]]:
+    """A heavy block on the ground with a ball or a stylus above it, or held by a grasp, and where a hand leads that."""
+    copy = Pressed(made(name, viscosity=2e-4, shape=(6, 5, 4), ground="z-", hold=300.0, gravity=(0.0, 0.0, -9.81)))
+    copy.tolerance, tools = 1e-6, copy.tools
+    tools.radius[:] = {"ball": 0.008, "stylus": 0.004, "grasp": 0.012}[kind]
+    tools.friction[:], tools.kinetic[:] = 0.4, 0.3
+    if kind == "stylus":
+        tools.axis[0, 1] = 0.02
+    if kind == "grasp":
+        tools.mode[:], tools.grip_stiffness[:], tools.grip_damping[:] = GRASP, 400.0, 0.4
+    start = np.array([0.025, 0.02, 0.03 if kind == "grasp" else 0.0305 + float(tools.radius[0])])
+    tools.place[0, :3] = start
+    copy.begin()
+
+    def way(time: float) -> np.ndarray:
+        aside, rate = (0.01, 7.0) if kind == "grasp" else (0.006, 5.0)
+        down = -0.007 if kind == "grasp" else 0.005
+        wave = [aside * np.sin(rate * time), aside * np.sin(6.0 * time), down * (np.cos(5.0 * time) - 1.0)]
+        return start + np.array(wave)
+
+    return copy, way
+
+
+@pytest.mark.parametrize("kind", ["ball", "stylus", "grasp"])
+@pytest.mark.parametrize("name", ["cells", "spring-network", "neo-hookean"])
+def test_steps_that_are_far_too_long_close_all_the_same(name: str, kind: str) -> None:
+    """Where looks for body and tools go astray, they are sought together; no step is shortened, and none costs much."""
+    for T in LONG:
+        copy, way = moved_about(name, kind)
+        steps, touched, told, closed, most = int(1.2 / T), 0, 0, 0, 0
+        for n in range(steps):
+            copy.lead(way(n * T), way((n + 1) * T), 400.0, 8.0)
+            copy.step(T, 500)
+            touched += int(copy.tools.touching[0] > 0)
+            told += int(copy.ledger[SHORTENED] > 0.0)
+            closed += int(copy.ledger[BETA] > CLOSURE_ALARM)
+            most = max(most, int(copy.ledger[ITERATIONS]))
+        assert touched > 0.7 * steps
+        assert told == 0
+        assert closed <= 0.15 * steps
+        assert most <= 600
+        assert copy.residual <= 1e-14 * copy.in_play
 
 
 @pytest.mark.parametrize("model", ["elastic", "corotated"])

@@ -342,9 +342,12 @@ def test_nothing_passes(speed: float, who: str) -> None:
     assert copy.residual <= 1e-14 * copy.in_play
 
 
-def windings(copy: Pressed) -> float:
-    """How often the skin winds around the first tool's middle: 1 inside, 0 outside [van Oosterom & Strackee 1983]."""
-    away = copy.skin_place() - copy.tools.place[0, :3]
+def windings(copy: Pressed, along: float = 0.0) -> float:
+    """How often the skin winds around the first tool's middle, or a place so many times its axis away.
+
+    It is 1 inside and 0 outside [van Oosterom & Strackee 1983].
+    """
+    away = copy.skin_place() - copy.tools.place[0, :3] - along * copy.tools.axis[0, :3]
     a, b, c = (away[copy.surface.corner[:, q]] for q in range(3))
     x, y, z = (np.linalg.norm(side, axis=1) for side in (a, b, c))
     volume = (a * np.cross(b, c)).sum(axis=1)
@@ -366,6 +369,52 @@ def test_a_stylus_pushes_with_its_tip_and_lies_on_its_side() -> None:
     ball = pressed([0.0, 0.0, 0.0], 0.0)
     assert pressed([0.0, 0.0, -0.02], 0.02) == pytest.approx(ball, rel=0.02)
     assert pressed([0.01, 0.0, 0.0], 0.0) > 1.3 * ball
+
+
+def test_each_ball_of_a_stylus_meets_all_that_it_reaches_and_looks_at_little_else() -> None:
+    """Pressed into a skin and slid along and across it, it holds what each of its balls would hold by itself."""
+    copy, rng = Pressed(block(shape=(7, 6, 3))), np.random.default_rng(1)
+    skin, work, tools, looks, reached, own = copy.surface, copy.contact.work, copy.tools, 0, 0, 0.0
+    tools.radius[:] = 0.004
+    tools.axis[0, :3] = [0.03, 0.011, 0.006]
+    tools.place[0, :3] = end = start = np.array([0.055, 0.05, TOP + 0.0102])
+    copy.begin()
+    along = np.linspace(-1.0, 1.0, 2 + int(4.0 * np.linalg.norm(tools.axis[0, :3]) / 0.004))
+    for n in range(120):
+        goal = start + np.array([0.02 * np.sin(0.1 * n), 0.02 * np.sin(0.07 * n), -min(1.5e-4 * n, 0.007)])
+        goal += 1e-3 * rng.normal(size=3)
+        copy.lead(end, goal)
+        end = goal
+        work.span[:] = 0, 0, -1
+        copy.step(1e-3)
+        place = copy.skin_place()
+        own = sum(
+            press_skin(Stiffening(), place, skin.corner, middle, stiffness=1000.0, radius=0.004, area=skin.area)[0]
+            for middle in tools.place[0, :3] + along[:, None] * tools.axis[0, :3]
+        )
+        assert copy.tools.stored[0] == pytest.approx(own, rel=2e-6)
+        looks += along.size * work.number[0]
+        reached += 4 * int((work.span[:, 2] - work.span[:, 1] + 1).sum())
+    assert own > 1e-4
+    assert reached < 0.5 * looks
+    assert copy.residual <= 1e-14 * copy.in_play
+
+
+@pytest.mark.parametrize("axis", [(0.012, 0.005, 0.0), (0.004, 0.0, 0.012)])
+def test_no_ball_of_a_stylus_passes(axis: tuple[float, float, float]) -> None:
+    copy = Pressed(block())
+    tools, along = copy.tools, np.linspace(-1.0, 1.0, 9)
+    tools.radius[:], tools.mass[:] = 0.0005, 0.005
+    tools.axis[0, :3], tools.rate[0, 2] = axis, -3.0
+    tools.place[0, :3] = [0.025, 0.031, TOP + 0.0012 + axis[2]]
+    copy.begin()
+    touched = 0
+    for _ in range(60):
+        copy.step(1e-3)
+        touched += int(tools.touching[0])
+        assert max(abs(windings(copy, share)) for share in along) < 0.5
+    assert touched > 0
+    assert copy.residual <= 1e-14 * copy.in_play
 
 
 def test_a_tool_that_begins_inside_does_not_push_until_it_was_out() -> None:

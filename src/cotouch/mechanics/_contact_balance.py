@@ -39,8 +39,9 @@ from cotouch.mechanics._balance_parts import close_all, judge
 from cotouch.mechanics._contact_catch import room
 from cotouch.mechanics._contact_centre import go_about, is_free, join_crossed
 from cotouch.mechanics._contact_outside import soften
-from cotouch.mechanics._contact_over import ROUNDING, leave, over_of
+from cotouch.mechanics._contact_over import ROUNDING, driven, leave, moved_by, over_of
 from cotouch.mechanics._contact_press import unsure
+from cotouch.mechanics._contact_search import search_touched, seekable
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._direction_groups import level_groups
@@ -65,6 +66,8 @@ _HALVES = 60
 _PARTS, _SHARE = 24, 1e-4
 # A tool that would pass the skin goes so much of the way to it.
 _SHORT = 0.9
+# What a search may miss of the motion: first, and where that does not close the step.
+_ENOUGH = (1e-4, 1e-6)
 
 
 @part
@@ -98,6 +101,8 @@ def balanced(
     free: float,
     contact: float,
     look: bool,
+    tolerance: float,
+    cap: int,
     lanes: tuple[int, ...],
 ) -> float:
     """Moves the copy as far as the energies of body and contact allow, and books it.
@@ -126,6 +131,8 @@ def balanced(
         free: `v̂ᵀ b`, b the right-hand side without contacts [W].
         contact: `v̂ᵀ (A v̂ - b)`, what contacts do on the body [W].
         look: whether any tool touches.
+        tolerance: of the solver.
+        cap: on its iterations.
         lanes: fixes the width of a row.
 
     Returns:
@@ -141,10 +148,10 @@ def balanced(
             if first < NEVER:
                 most = min(most, _SHORT * first, room(surface, touch, tools, t) * first)
         for a in range(3):
-            inflow += abs(touch.mean[t, a] * touch.drive[t, a])
             slope -= T * touch.inertia[t] * touch.mean[t, a] * touch.mean[t, a]
             spare += _LEFT * T * abs(touch.mean[t, a] * touch.pull[t, a])
         touches = touches or touch.total[t] > 0.0 or touch.well[t] != 0.0 or tools.mode[t] == GRASP
+    inflow += driven(touch, tools)
     aim = 0.5 * spare if force is None else 0.0
     if force is not None:
         keep_place(state, work, lanes)
@@ -154,8 +161,11 @@ def balanced(
     held_back = held_back or astray or most < 1.0
     central = held_back or is_free(op, force, links, ports, tools, touch, T, work, lanes)
     work.weighed[FIXED] = 1.0
+    searches = 0
+    if force is not None and look and not central and seekable(op, force, surface, work):
+        searches = len(_ENOUGH)
     seeks, still, rounded, hardly, told = not held_back, False, True, False, False
-    scale, have, last, last_over, tries, halves, shrinks = most, 1.0, 0.0, 0.0, 0, 0, ROUNDING
+    scale, have, last, last_over, tries, halves, shrinks, square = most, 1.0, 0.0, 0.0, 0, 0, ROUNDING, 1.0
     shorter, crossed, foretells, most_halves = 0, False, False, _PARTS if central else _HALVES
     if central:
         shrinks = _SHARE
@@ -254,7 +264,9 @@ def balanced(
         if central:
             crossed = join_crossed(surface, tools, touch, force, T)
             fine = fine and not crossed
-        if fine and not (goes > 1.0 and _passes(surface, touch, tools, scale * T)):
+        # What tools do not touch may be closed by more, but not where a search would close it by less.
+        sure = fine and (touches or searches == 0 or rounded or abs(square - 1.0) <= _EASY)
+        if sure and not (goes > 1.0 and _passes(surface, touch, tools, scale * T)):
             break
         begins_anew = False
         if foretells:  # not as it was thought to be
@@ -270,8 +282,36 @@ def balanced(
                 foretells = aim > 0.0 and abs(following - scale) * unsure(touch, tools, T) <= 0.5 * aim
             begins_anew = not seeks and scale != 1.0 and (fine or crossed or (over > 0.0 and scale == MOST))
             scale = following if seeks else 1.0 if begins_anew else scale
+        enough = over >= -noise and not (passed or crossed)  # what is no number is too much
+        lacks = not (fine or seeks or begins_anew or enough or rounded or passed or still) or (fine and not sure)
+        if force is not None and searches > 0 and lacks:
+            go_back(force, state, work, lanes)
+            search_touched(
+                law,
+                op,
+                force,
+                state,
+                links,
+                ports,
+                surface,
+                tools,
+                local_damping,
+                extra_damping,
+                T,
+                _ENOUGH[len(_ENOUGH) - searches],
+                work,
+                touch,
+                ledger,
+                tolerance,
+                cap,
+                lanes,
+            )
+            keep_place(state, work, lanes)
+            searches, seeks, tries, last = searches - 1, True, 0, 0.0
+            scale, have, slope = 1.0, 1.0, -T * moved_by(op, touch, T, work, lanes)
+            inflow = driven(touch, tools)
+            continue
         if not (seeks or begins_anew):
-            enough = over >= -noise and not (passed or crossed)  # what is no number is too much
             if enough or halves >= (most_halves + 1 if central else most_halves):
                 break
             halves, told = halves + 1, told or not (rounded or hardly)

@@ -8,8 +8,11 @@ from cotouch.mechanics._contact_snap import draw_tool
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._grasp import hold_energy
 from cotouch.mechanics._kernel import part
+from cotouch.mechanics._operator import Operator
+from cotouch.mechanics._state import Workspace
 from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import GRASP, TOUCH, Tools
+from cotouch.mechanics._vector import at, load, splat, total
 
 # A difference below this share of what made it is rounding.
 ROUNDING = 8e-16
@@ -72,3 +75,27 @@ def leave(touch: ContactWork, tools: Tools, over: float) -> bool:
     if chosen >= 0:
         touch.stored[chosen] += over
     return chosen >= 0
+
+
+@part
+def driven(touch: ContactWork, tools: Tools) -> float:
+    """Power that drives and motion give tools, by size [W]."""
+    power = 0.0
+    for t in range(tools.mode.shape[0]):
+        for a in range(3):
+            power += abs(touch.mean[t, a] * touch.drive[t, a])
+    return power
+
+
+@part
+def moved_by(op: Operator, touch: ContactWork, T: float, work: Workspace, lanes: tuple[int, ...]) -> float:
+    """Power that inertia asks for, of a body and its tools [W]."""
+    power = splat(0.0, lanes)
+    for i in range(op.mass.shape[0]):
+        rate = load(work.mean, i, lanes)
+        power = power + (2.0 * op.copy_scale * at(op.mass, i) / T) * (rate * rate)
+    own = total(power)
+    for t in range(touch.inertia.shape[0]):
+        for a in range(3):
+            own += touch.inertia[t] * touch.mean[t, a] * touch.mean[t, a]
+    return own

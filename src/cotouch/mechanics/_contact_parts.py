@@ -62,7 +62,7 @@ def contact_parts(
             balanced,
             (
                 *(law, op, force, state, links, ports, surface, tools, damping, damping, T, 1, work, touch),
-                *(damping, damping, damping, T, T, True, lanes),
+                *(damping, damping, damping, T, T, True, T, 1, lanes),
             ),
         ),
         (take, (surface, touch.fit, tools, 0, state.position, state.memory, lanes)),

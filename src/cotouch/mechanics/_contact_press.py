@@ -10,12 +10,12 @@ import math
 from math import pi
 from typing import Any
 
+from cotouch.mechanics._contact_beads import beads, reached
 from cotouch.mechanics._contact_law import press
 from cotouch.mechanics._contact_patch import MEETS, press_triangle
 from cotouch.mechanics._contact_relief import press_relief
 from cotouch.mechanics._contact_skin import forget_hits, meet_four, note_hit, place_bead, place_face
 from cotouch.mechanics._contact_snap import draw_tool
-from cotouch.mechanics._contact_sweep import beads
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._surface import Surface
@@ -81,51 +81,57 @@ def _sum(
     corner, soft = surface.corner, surface.soft
     near, spot, out = work.near, work.spot, work.out
     faces, energy, stiffness, radius = near.shape[1], 0.0, tools.stiffness[t], tools.radius[t]
-    lacking, reach, rough, met = 0.0, radius + surface.relief.top, surface.relief.top > 0.0, False
+    lacking, reach, rough = 0.0, radius + surface.relief.top, surface.relief.top > 0.0
     forces = share != 0.0 or soft.shape[0] > 0
+    fours, span = reached(corner, work, tools, t, reach, time, time), work.span
     patch, firm, whole, pull, axes = 0.0, 0.0, 0.0, splat(0.0, FOUR), four(share, share, share, 0.0)
     for bead in range(beads(tools, t)):
         place_bead(work, tools, t, bead, time)
-        for c in range(work.number[t]):
-            if c % 4 == 0:
-                met = meet_four(work, corner, t, c, time, radius)
-            meets = met and at(work.met, (MEETS, c % 4)) > 0.0
-            f = near[t, c]
-            if rough and place_face(work, f, corner, time) >= reach * reach:
+        for n in range(fours):
+            first = span[n, 0]
+            if bead < span[n, 1] or bead > span[n, 2]:
                 continue
-            if not (meets or rough):
-                continue
-            area, covered = tools.share[t] * surface.area[f], 0.0
-            for q in range(4 if not meets else 0):
-                store(out, q, splat(0.0, FOUR), FOUR)
-            if meets:
-                covered = press_triangle(law, stiffness, radius, area, forces, energies, work.met, c % 4, out)
-            if rough:
-                covered += press_relief(law, stiffness, radius, area, forces, surface.relief, f, spot, out)
-            if not covered > 0.0:
-                continue
-            energy += out[3, 3]
-            if soft.shape[0] > 0:  # what the shapes of a truncated body leave out, by how the corners share the load
-                every = max(out[0, 3] + out[1, 3] + out[2, 3], _NOTHING)
-                square = 0.0
+            met = meet_four(work, corner, t, first, time, radius)
+            for c in range(first, min(first + 4, work.number[t]) if met or rough else first):
+                meets = met and at(work.met, (MEETS, c % 4)) > 0.0
+                f = near[t, c]
+                if rough and place_face(work, f, corner, time) >= reach * reach:
+                    continue
+                if not (meets or rough):
+                    continue
+                area, covered = tools.share[t] * surface.area[f], 0.0
+                for q in range(4 if not meets else 0):
+                    store(out, q, splat(0.0, FOUR), FOUR)
+                if meets:
+                    covered = press_triangle(law, stiffness, radius, area, forces, energies, work.met, c % 4, out)
+                if rough:
+                    covered += press_relief(law, stiffness, radius, area, forces, surface.relief, f, spot, out)
+                if not covered > 0.0:
+                    continue
+                energy += out[3, 3]
+                if (
+                    soft.shape[0] > 0
+                ):  # what the shapes of a truncated body leave out, by how the corners share the load
+                    every = max(out[0, 3] + out[1, 3] + out[2, 3], _NOTHING)
+                    square = 0.0
+                    for q in range(3):
+                        square += (out[q, 3] / every) ** 2
+                    lacking += (soft[f, 1] + (soft[f, 0] - soft[f, 1]) * min(square, 1.0)) * out[3, 3]
+                if share == 0.0:
+                    continue
+                patch += share * covered
+                note_hit(work, t, c)
                 for q in range(3):
-                    square += (out[q, 3] / every) ** 2
-                lacking += (soft[f, 1] + (soft[f, 0] - soft[f, 1]) * min(square, 1.0)) * out[3, 3]
-            if share == 0.0:
-                continue
-            patch += share * covered
-            note_hit(work, t, c)
-            for q in range(3):
-                v = at(corner, (f, q))
-                push = axes * load(out, q, FOUR)
-                store(work.force, v, load(work.force, v, FOUR) + push, FOUR)
-                pull = pull - push
-                put(work.firm, v, at(work.firm, v) + share * time * at(out, (3, q)))
-            firm += share * time * (out[3, 0] + out[3, 1] + out[3, 2])
-            borne = share * four(out[0, 3], out[1, 3], out[2, 3], 0.0)
-            place = t * faces + c
-            store(work.load, place, load(work.load, place, FOUR) + borne, FOUR)
-            whole += total(borne)
+                    v = at(corner, (f, q))
+                    push = axes * load(out, q, FOUR)
+                    store(work.force, v, load(work.force, v, FOUR) + push, FOUR)
+                    pull = pull - push
+                    put(work.firm, v, at(work.firm, v) + share * time * at(out, (3, q)))
+                firm += share * time * (out[3, 0] + out[3, 1] + out[3, 2])
+                borne = share * four(out[0, 3], out[1, 3], out[2, 3], 0.0)
+                place = t * faces + c
+                store(work.load, place, load(work.load, place, FOUR) + borne, FOUR)
+                whole += total(borne)
     if share != 0.0:
         store(work.pull, t, load(work.pull, t, FOUR) + pull, FOUR)
         work.patch[t] += patch

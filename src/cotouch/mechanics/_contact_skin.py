@@ -4,13 +4,14 @@
 import math
 
 from cotouch.arrays import Float, Int
+from cotouch.mechanics._contact_beads import bead_place
 from cotouch.mechanics._contact_near import touched
 from cotouch.mechanics._contact_patch import overlap
-from cotouch.mechanics._contact_sweep import bead_place
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._fours import Quad, corner_rows, elements, four_rows
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import Vector
+from cotouch.mechanics._state import State
 from cotouch.mechanics._surface import Surface, box_distance, farthest, place_vertex
 from cotouch.mechanics._tools import Tools
 from cotouch.mechanics._vector import FOUR, at, four, load, lower, put, size, splat, store, total, transposed, upper
@@ -92,6 +93,44 @@ def look_around(
                         put(work.vertex, (t, vertices), v)
                         vertices += 1
     work.number[t], work.vertices[t], work.clear[t] = count, vertices, math.sqrt(least)
+
+
+@part
+def reach_of(surface: Surface, tools: Tools, t: int) -> float:
+    """How far from the middle of one of its balls the skin may act on a tool [m]."""
+    return tools.radius[t] + max(surface.relief.top, tools.snap_range[t])
+
+
+@part
+def length_of(rows: Float, row: int) -> float:
+    return math.sqrt(rows[row, 0] ** 2 + rows[row, 1] ** 2 + rows[row, 2] ** 2)
+
+
+@part
+def follow(
+    surface: Surface,
+    work: ContactWork,
+    tools: Tools,
+    t: int,
+    T: float,
+    state: State,
+    mean: Float,
+    lanes: tuple[int, ...],
+) -> bool:
+    """Reads how fast the skin near one tool moves by the present guess; what it may come to is near, too.
+
+    Returns:
+        Whether what was near is in its place, so that what the last look gathered still says where the tool presses.
+    """
+    travel = (
+        reach_of(surface, tools, t) + length_of(tools.axis, t) + 1.25 * T * (work.quick[0] + length_of(work.mean, t))
+    )
+    same = not travel > work.seen[t]
+    if not same:  # faster than it was thought to be
+        work.seen[t] = 1.5 * travel
+        look_around(surface, work, tools, t, work.seen[t], state.position, lanes)
+    read_rates(surface, work, t, mean, lanes)
+    return same
 
 
 @part

@@ -11,10 +11,10 @@ import math
 from math import pi
 
 from cotouch.arrays import Float
+from cotouch.mechanics._contact_beads import beads, reached
 from cotouch.mechanics._contact_foundation import Foundation, stiffness_of
 from cotouch.mechanics._contact_patch import MEETS, overlap_one, press_triangle
 from cotouch.mechanics._contact_skin import note_hit, place_bead, place_face
-from cotouch.mechanics._contact_sweep import beads
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._surface import Surface
@@ -103,9 +103,13 @@ def draw_tool(
     spot, drawn = work.spot, work.drawn
     reach = tools.radius[t] + tools.snap_range[t]
     energy, size = 0.0, 0.0
+    fours, span = reached(corner, work, tools, t, reach, time, time), work.span
     for bead in range(beads(tools, t)):
         place_bead(work, tools, t, bead, time)
-        for c in range(work.number[t]):
+        for n in range(4 * fours):
+            c = span[n // 4, 0] + n % 4
+            if c >= work.number[t] or bead < span[n // 4, 1] or bead > span[n // 4, 2]:
+                continue
             f = near[t, c]
             if place_face(work, f, corner, time) >= reach * reach:
                 continue

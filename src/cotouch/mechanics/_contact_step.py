@@ -18,7 +18,15 @@ from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_row
 from cotouch.mechanics._contact_outside import begin_tool, feel_first
 from cotouch.mechanics._contact_press import feel_tool, read_skin
 from cotouch.mechanics._contact_settled import changed, settled
-from cotouch.mechanics._contact_skin import fastest, found_fastest, load_rows, look_around, read_rates
+from cotouch.mechanics._contact_skin import (
+    fastest,
+    follow,
+    found_fastest,
+    length_of,
+    load_rows,
+    look_around,
+    reach_of,
+)
 from cotouch.mechanics._contact_snap import begin_snap, end_snap, owed_drag
 from cotouch.mechanics._contact_solve import solve_touched
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
@@ -177,7 +185,7 @@ def contact_step(
             break
     for t in range(tools.mode.shape[0]):
         if look and tools.mode[t] == TOUCH:
-            if _follow(surface, touch, tools, t, T, state, mean, lanes):
+            if follow(surface, touch, tools, t, T, state, mean, lanes):
                 read_skin(surface, touch, t)  # friction is stretched by where the last correction leads
         elif tools.mode[t] == GRASP:
             feel_grasp(surface, touch, tools, t, T, state.position, mean, work.diagonal, False, lanes)
@@ -210,6 +218,8 @@ def contact_step(
         free,
         contact,
         look,
+        tolerance,
+        cap,
         lanes,
     )
     _settle(touch, tools, T, sigma, touch_ledger)
@@ -275,9 +285,9 @@ def _begin(
     touch.quick[0] = fastest(surface, state.velocity, lanes)
     for t in range(tools.mode.shape[0]):
         if tools.mode[t] == TOUCH:
-            way = T * (touch.quick[0] + _length(tools.rate, t))
+            way = T * (touch.quick[0] + length_of(tools.rate, t))
             finest = min(tools.radius[t], tools.snap_range[t]) if tools.snap[t] > 0.0 else tools.radius[t]
-            touch.seen[t] = _reach(surface, tools, t) * (1.0 + _MARGIN) + _length(tools.axis, t) + _WAYS * way
+            touch.seen[t] = reach_of(surface, tools, t) * (1.0 + _MARGIN) + length_of(tools.axis, t) + _WAYS * way
             touch.slow[t] = way < _SLOW * finest
             look_around(surface, touch, tools, t, touch.seen[t], state.position, lanes)
             begin_tool(law, surface, touch, tools, t, linear)
@@ -285,42 +295,6 @@ def _begin(
         elif tools.mode[t] == GRASP and tools.held[t] < 0:
             take(surface, touch.fit, tools, t, state.position, state.memory, lanes)
     return True
-
-
-@part
-def _reach(surface: Surface, tools: Tools, t: int) -> float:
-    """How far from the middle of one of its balls the skin may act on a tool [m]."""
-    return tools.radius[t] + max(surface.relief.top, tools.snap_range[t])
-
-
-@part
-def _length(rows: Float, row: int) -> float:
-    return math.sqrt(rows[row, 0] ** 2 + rows[row, 1] ** 2 + rows[row, 2] ** 2)
-
-
-@part
-def _follow(
-    surface: Surface,
-    touch: ContactWork,
-    tools: Tools,
-    t: int,
-    T: float,
-    state: State,
-    mean: Float,
-    lanes: tuple[int, ...],
-) -> bool:
-    """Reads how fast the skin near one tool moves by the present guess; what it may come to is near, too.
-
-    Returns:
-        Whether what was near is in its place, so that what the last look gathered still says where the tool presses.
-    """
-    travel = _reach(surface, tools, t) + _length(tools.axis, t) + 1.25 * T * (touch.quick[0] + _length(touch.mean, t))
-    same = not travel > touch.seen[t]
-    if not same:  # faster than it was thought to be
-        touch.seen[t] = 1.5 * travel
-        look_around(surface, touch, tools, t, touch.seen[t], state.position, lanes)
-    read_rates(surface, touch, t, mean, lanes)
-    return same
 
 
 @part
@@ -344,7 +318,7 @@ def _look(
     if tools.mode[t] == GRASP:
         feel_grasp(surface, touch, tools, t, T, state.position, mean, diagonal, True, lanes)
         return changed(touch, t)
-    _follow(surface, touch, tools, t, T, state, mean, lanes)
+    follow(surface, touch, tools, t, T, state, mean, lanes)
     if touch.caught[t, 0] == 0.0 and first_crossing(surface, touch, tools, t, T) < NEVER:
         begin_catch(op, surface, touch, tools, t, T)
     if touch.caught[t, 0] != 0.0:

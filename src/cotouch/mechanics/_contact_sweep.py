@@ -4,6 +4,7 @@
 import math
 
 from cotouch.arrays import Float
+from cotouch.mechanics._contact_beads import bead_place, beads, reached
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._surface import Surface
@@ -31,51 +32,55 @@ def first_crossing(surface: Surface, work: ContactWork, tools: Tools, t: int, T:
         way += mean[t, a] * mean[t, a]
     if work.clear[t] - math.sqrt(long) > T * (work.quick[0] + math.sqrt(way)):
         return NEVER
+    fours, span = reached(corner, work, tools, t, 0.0, 0.0, T), work.span
     for bead in range(beads(tools, t)):
         along = bead_place(tools, t, bead)
-        for c in range(work.number[t]):
-            f = near[t, c]
-            ia, ib, ic = corner[f, 0], corner[f, 1], corner[f, 2]
-            if _far(place, rate, mean, middle, tools.axis, ia, ib, ic, t, along, T):
+        for n in range(fours):
+            if bead < span[n, 1] or bead > span[n, 2]:
                 continue
-            f0 = _volume(place, rate, mean, middle, tools.axis, ia, ib, ic, t, along, 0.0)
-            f1 = _volume(place, rate, mean, middle, tools.axis, ia, ib, ic, t, along, T / 3.0)
-            f2 = _volume(place, rate, mean, middle, tools.axis, ia, ib, ic, t, along, T * (2.0 / 3.0))
-            f3 = _volume(place, rate, mean, middle, tools.axis, ia, ib, ic, t, along, T)
-            # a s³ + b s² + d s + f0
-            a3 = 4.5 * (f3 - 3.0 * f2 + 3.0 * f1 - f0)
-            b2 = 4.5 * (2.0 * f0 - 5.0 * f1 + 4.0 * f2 - f3)
-            d1 = 0.5 * (2.0 * f3 - 9.0 * f2 + 18.0 * f1 - 11.0 * f0)
-            under = b2 * b2 - 3.0 * a3 * d1
-            turn, other = 1.0, 1.0
-            if under > 0.0:
-                root = math.sqrt(under)
-                if a3 != 0.0:
-                    turn, other = (-b2 - root) / (3.0 * a3), (-b2 + root) / (3.0 * a3)
-                elif b2 != 0.0:
-                    turn = -0.5 * d1 / b2
-            turn, other = min(max(min(turn, other), 0.0), 1.0), min(max(turn, other, 0.0), 1.0)
-            low = 0.0
-            for piece in range(3):
-                high = turn if piece == 0 else other if piece == 1 else 1.0
-                begin = ((a3 * low + b2) * low + d1) * low + f0
-                end = ((a3 * high + b2) * high + d1) * high + f0
-                if (begin > 0.0) != (end > 0.0) and high > low:
-                    first, last = low, high
-                    for _ in range(_HALVES):
-                        half = 0.5 * (first + last)
-                        value = ((a3 * half + b2) * half + d1) * half + f0
-                        if (value > 0.0) == (begin > 0.0):
-                            first = half
-                        else:
-                            last = half
-                    if first < earliest and _within(work, tools, t, ia, ib, ic, along, last * T):
-                        earliest = first
-                        caught[t, 1] = f
-                        caught[t, 9] = along
-                        for q in range(3):
-                            caught[t, 6 + q] = work.spot[0, q]
-                low = max(low, high)
+            for c in range(span[n, 0], min(span[n, 0] + 4, work.number[t])):
+                f = near[t, c]
+                ia, ib, ic = corner[f, 0], corner[f, 1], corner[f, 2]
+                if _far(place, rate, mean, middle, tools.axis, ia, ib, ic, t, along, T):
+                    continue
+                f0 = _volume(place, rate, mean, middle, tools.axis, ia, ib, ic, t, along, 0.0)
+                f1 = _volume(place, rate, mean, middle, tools.axis, ia, ib, ic, t, along, T / 3.0)
+                f2 = _volume(place, rate, mean, middle, tools.axis, ia, ib, ic, t, along, T * (2.0 / 3.0))
+                f3 = _volume(place, rate, mean, middle, tools.axis, ia, ib, ic, t, along, T)
+                # a s³ + b s² + d s + f0
+                a3 = 4.5 * (f3 - 3.0 * f2 + 3.0 * f1 - f0)
+                b2 = 4.5 * (2.0 * f0 - 5.0 * f1 + 4.0 * f2 - f3)
+                d1 = 0.5 * (2.0 * f3 - 9.0 * f2 + 18.0 * f1 - 11.0 * f0)
+                under = b2 * b2 - 3.0 * a3 * d1
+                turn, other = 1.0, 1.0
+                if under > 0.0:
+                    root = math.sqrt(under)
+                    if a3 != 0.0:
+                        turn, other = (-b2 - root) / (3.0 * a3), (-b2 + root) / (3.0 * a3)
+                    elif b2 != 0.0:
+                        turn = -0.5 * d1 / b2
+                turn, other = min(max(min(turn, other), 0.0), 1.0), min(max(turn, other, 0.0), 1.0)
+                low = 0.0
+                for piece in range(3):
+                    high = turn if piece == 0 else other if piece == 1 else 1.0
+                    begin = ((a3 * low + b2) * low + d1) * low + f0
+                    end = ((a3 * high + b2) * high + d1) * high + f0
+                    if (begin > 0.0) != (end > 0.0) and high > low:
+                        first, last = low, high
+                        for _ in range(_HALVES):
+                            half = 0.5 * (first + last)
+                            value = ((a3 * half + b2) * half + d1) * half + f0
+                            if (value > 0.0) == (begin > 0.0):
+                                first = half
+                            else:
+                                last = half
+                        if first < earliest and _within(work, tools, t, ia, ib, ic, along, last * T):
+                            earliest = first
+                            caught[t, 1] = f
+                            caught[t, 9] = along
+                            for q in range(3):
+                                caught[t, 6 + q] = work.spot[0, q]
+                    low = max(low, high)
     return earliest
 
 
@@ -102,22 +107,6 @@ def _far(
         if max(x, y) < min(p0, p1, p2, q0, q1, q2) or min(x, y) > max(p0, p1, p2, q0, q1, q2):
             return True
     return False
-
-
-@part
-def beads(tools: Tools, t: int) -> int:
-    """How many balls stand for a tool: one, or a row of them half a radius apart."""
-    axis, square = tools.axis, 0.0
-    for a in range(3):
-        square += axis[t, a] * axis[t, a]
-    return 1 if square == 0.0 else 2 + int(4.0 * math.sqrt(square) / tools.radius[t])
-
-
-@part
-def bead_place(tools: Tools, t: int, bead: int) -> float:
-    """Where a ball of the row is: its middle is that of the tool and so many times the axis."""
-    count = beads(tools, t)
-    return 0.0 if count == 1 else 2.0 * bead / (count - 1) - 1.0
 
 
 @part

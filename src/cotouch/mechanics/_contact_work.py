@@ -7,6 +7,7 @@ import numpy as np
 from cotouch.arrays import Float, Int
 from cotouch.mechanics._contact_patch import FOUND
 from cotouch.mechanics._model import Model
+from cotouch.mechanics._state import CHANGES
 from cotouch.mechanics._surface import Fit, Surface, fit_of
 from cotouch.mechanics._tools import MOST_HELD
 from cotouch.passing import by_address
@@ -25,6 +26,7 @@ class ContactWork(NamedTuple):
         stack: boxes still to be looked at, (_STACK,).
         number: triangles near each tool, (tools,).
         near: which, (tools, F).
+        span: of fours of these: the first, and between which of its balls those are that may reach them, (F / 4, 3).
         clear: how far the middle of each tool is from all triangles at least, (tools,) [m].
         hits: how many of these the last look found to do something, (tools,).
         hit: which of the near ones, (tools, F).
@@ -68,6 +70,9 @@ class ContactWork(NamedTuple):
         drive: of the tools without contact, (tools, 4) [N].
         inertia: likewise, (tools,) [Ns/m].
         pull: force of the contact on the tools, (tools, 4) [N].
+        lacks: what a motion that is sought misses of the forces on the tools, (tools, 4) [N].
+        kept: as of `Sought`.
+        grips: as `grip`, of looks that are kept, (tools, 4) [Ns/m].
         before: the same a look earlier, (tools, 4) [N].
         way: unit vector of the pressure on the tools, and its size [N], (tools, 4).
         grip: what resists motion of the tools along it and across, (tools, 2) [Ns/m].
@@ -93,6 +98,7 @@ class ContactWork(NamedTuple):
     stack: Int
     number: Int
     near: Int
+    span: Int
     clear: Float
     hits: Int
     hit: Int
@@ -134,6 +140,9 @@ class ContactWork(NamedTuple):
     drive: Float
     inertia: Float
     pull: Float
+    lacks: Float
+    kept: Float
+    grips: Float
     before: Float
     way: Float
     grip: Float
@@ -181,6 +190,7 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         stack=np.zeros(_STACK, dtype=np.int32),
         number=np.zeros(tools, dtype=np.int32),
         near=np.zeros((tools, faces), dtype=np.int32),
+        span=np.zeros((-(-faces // 4), 3), dtype=np.int32),
         clear=np.zeros(tools),
         hits=np.zeros(tools, dtype=np.int32),
         hit=np.zeros((tools, faces), dtype=np.int32),
@@ -222,6 +232,9 @@ def contact_by(law: Any, model: Model, surface: Surface, *, tools: int) -> Conta
         drive=row(),
         inertia=np.zeros(tools),
         pull=row(),
+        lacks=row(),
+        kept=np.zeros(((2 + 2 * CHANGES) * tools, 4)),
+        grips=row(),
         before=row(),
         way=row(),
         grip=np.zeros((tools, 2)),
