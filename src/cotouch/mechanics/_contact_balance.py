@@ -227,9 +227,12 @@ def balanced(
                 lanes,
             )
             over, noise = op.copy_scale * over, op.copy_scale * weighed[NOISE]
+            meets = touches
             for t in range(tools.mode.shape[0]):  # who comes in, or out, after all that looks see of the step
-                touches = touches or touch.stored[t] > 0.0 or tools.stored[t] > 0.0
-            least, greatest = (1.0 - _EASY, 1.0 + _EASY) if touches else (LEAST, MOST)
+                meets = meets or touch.stored[t] > 0.0 or tools.stored[t] > 0.0
+            # The body closes what that holds only where neither a length nor a search does.
+            easy = touches or (meets and (seeks or searches > 0))
+            least, greatest = (1.0 - _EASY, 1.0 + _EASY) if easy else (LEAST, MOST)
             rounded = abs(over) <= op.copy_scale * max(weighed[NOISE], weighed[ROUGH])
             hardly = weighed[HAVE] <= weighed[ROUGH]  # by the rounding of places, which tells nothing of forces
             # Who moves as a whole alone could make up for something only by that.
@@ -253,7 +256,7 @@ def balanced(
                 keep_place(state, work, lanes)  # looks went elsewhere
                 shorter += 1
                 continue
-            if not (fine or passed or touches or still or central) and resting(
+            if not (fine or passed or meets or still or central) and resting(
                 weighed
             ):  # the body stays, and its tools go on
                 still = True
