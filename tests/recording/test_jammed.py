@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.recording.inside import RecordedMaterial
 from tests.recording.test_audit import recorded_world
 
 from cotouch.errors import RecordingError
@@ -130,6 +131,24 @@ def test_what_does_not_fit_is_refused(honest: list[Recording]) -> None:
     short = replace(ann, columns={**ann.columns, "jammed": ann.columns["jammed"][:, 1:]})
     with pytest.raises(RecordingError, match="bodies and 2 tools jammed"):
         audit([short, ben])
+
+
+def test_steps_begin_where_the_last_ended(honest: list[Recording], monkeypatch: pytest.MonkeyPatch) -> None:
+    """To the bit: which of two triangles is nearer, and what friction loses there, rounding may decide."""
+    given: list[tuple[Any, ...]] = []
+    outside = RecordedMaterial.outside
+
+    def noted(self: RecordedMaterial, *args: Any, **more: Any) -> Any:
+        given.append((*args[:2], more["follows"]))
+        return outside(self, *args, **more)
+
+    monkeypatch.setattr(RecordedMaterial, "outside", noted)
+    audit(honest)
+    several = honest[0].header.body.material is not None and bool(honest[0].header.body.material.between)
+    assert len(given) == (2 if several else 0)
+    for start, after, follows in given:
+        assert follows[1:].all()
+        assert np.array_equal(start[1:], after[:-1])
 
 
 def test_it_is_exported(honest: list[Recording]) -> None:
