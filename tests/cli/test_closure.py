@@ -1,4 +1,4 @@
-"""What `cotouch simulate` says of steps that had to be closed."""
+"""What `cotouch simulate` says of steps that had to be closed, and of cuts."""
 
 import json
 from pathlib import Path
@@ -54,3 +54,21 @@ def test_a_linear_body_has_none(linear: tuple[Path, xr.Dataset]) -> None:
     figures, text = shown(linear[0])
     assert "closure" not in figures
     assert "closure" not in text
+    assert "cuts" not in figures
+    assert " cut " not in text
+
+
+def test_cuts_are_counted(linear: tuple[Path, xr.Dataset], monkeypatch: pytest.MonkeyPatch) -> None:
+    path, run = linear
+    count, held = np.zeros((2, run.sizes["step"])), np.zeros((2, run.sizes["step"]))
+    count[0, 2:], count[1, 3:], held[0, 2:], held[1, 3:] = 7, 5, 2e-3, 3e-3
+    series = {"cut_elements": count, "cut": held}
+    run = run.assign({name: (("user", "step"), values) for name, values in series.items()})
+    run["cut_by"] = (("user", "element"), np.zeros((2, 9), dtype=np.int64))
+    monkeypatch.setattr("cotouch.cli._simulate.simulate_scenario", lambda _: run)
+    monkeypatch.setenv("COLUMNS", "200")
+    figures, text = shown(path)
+    assert figures["cuts"] == {"elements": [7, 5], "of": 9, "energy_j": [2e-3, 3e-3]}
+    assert [line.split("cut ")[1].strip() for line in text.splitlines() if " cut " in line] == [
+        "7 of 9 elements, which held at most 0.003 J"
+    ]

@@ -80,6 +80,7 @@ WRONG: list[tuple[str, str]] = [
     ("user=2\nat=[0.01,0.01,0.01]", "is 0.02 m deep in the body; move it to [-0.01, 0.01, 0.01] or farther"),
     ("user=2\nat=[-0.005,0.01,0.01]", "0.005 m deep in the body; move it to [-0.01, 0.01, 0.01]"),
     ("user=2\nat=[0.01,0.01,-0.2]\naxis=[0,0,0.4]", "0.0188 m deep in the body; move or turn it"),
+    ("AT\naxis=[0,0,1e6]", "tools[2].axis is 1e+06 m long, but radius is 0.01 m; it must be at most 1000 times"),
     ("AT\nkind='pinch'", 'tools[2].kind is "pinch"'),
     ("AT\nradius=0", "tools[2].radius is 0"),
     ("AT\ncolour=1", "tools[2].colour is not an option"),

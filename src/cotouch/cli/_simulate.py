@@ -78,8 +78,9 @@ def run(
     if animation is not None:
         written.append(animation_of(result, scenario.build_body()).write(animation))
     figures_of_run, closure = interruptible(summary)(result, scenario.build_body()), closure_of(result)
+    cuts = cuts_of(result)
     if as_json:
-        told = {"closure": closure} if closure is not None else {}
+        told = {name: each for name, each in (("closure", closure), ("cuts", cuts)) if each is not None}
         print_json({**figures_of_run, **told, "files": [str(file) for file in written]})
         return figures_of_run["finished"]
 
@@ -94,7 +95,7 @@ def run(
     else:
         _users(console, scenario.network.users, figures_of_run)
     _rigid_tools(console, scenario.network.users, figures_of_run.get("rigid_tools", []))
-    console.print(_ledger(figures_of_run, closure))
+    console.print(_ledger(figures_of_run, closure, cuts))
     print_written(console, written)
     return figures_of_run["finished"]
 
@@ -124,6 +125,33 @@ def _closure(closure: Closure | None, grid: Table) -> None:
         largest, alarms = closure["largest_factor"], closure["alarms"]
         told = f"; [yellow]{alarms} steps by more than 1 %: use shorter steps[/yellow]" if alarms else ""
         grid.add_row("  closure", f"changed velocities by at most {largest:.1e}{told}")
+
+
+class Cuts(TypedDict):
+    """How many elements each user's copy lost, of how many, and what they held."""
+
+    elements: list[int]
+    of: int
+    energy_j: list[float]
+
+
+def cuts_of(result: xr.Dataset) -> Cuts | None:
+    """What was cut of a body that can be; None of another."""
+    if "cut" not in result:
+        return None
+    return {
+        "elements": [int(count) for count in result["cut_elements"].max("step")],
+        "of": result.sizes["element"],
+        "energy_j": [float(held) for held in result["cut"].max("step")],
+    }
+
+
+def _cuts(cuts: Cuts | None, grid: Table) -> None:
+    """Of the copy that lost most."""
+    if cuts is not None:
+        most = max(cuts["elements"])
+        held = f", which held at most {number(max(cuts['energy_j']), 'J')}" if most else ""
+        grid.add_row("  cut", f"{most:,} of {cuts['of']:,} elements{held}")
 
 
 def _users(console: Console, names: tuple[str, ...], figures: Summary) -> None:
@@ -236,7 +264,7 @@ def _short(value: Numbers) -> str:
     return f"{len(value)} nodes"  # pyright: ignore[reportUnknownArgumentType]
 
 
-def _ledger(figures: Summary, closure: Closure | None) -> Table:
+def _ledger(figures: Summary, closure: Closure | None, cuts: Cuts | None) -> Table:
     settling = figures["settling_time_s"]
     grid = Table.grid(padding=(0, 3))
     grid.add_column(style="dim")
@@ -265,6 +293,7 @@ def _ledger(figures: Summary, closure: Closure | None) -> Table:
     )
     grid.add_row("  residual", f"{figures['energy_residual']:.1e} of the energy in play")
     _closure(closure, grid)
+    _cuts(cuts, grid)
     margin = figures["passivity_margin_j"]
     rounding = 1e-10 * energy["in_play"]
     verdict = "passive" if margin >= -rounding else "[red]not passive[/red]"

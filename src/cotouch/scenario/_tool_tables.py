@@ -1,5 +1,6 @@
 """The tables of a scenario for tools: proxies, the devices that move them, and the hands on those."""
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Literal, Self, cast, final, get_args
 
@@ -14,6 +15,8 @@ from cotouch.scenario._tables import Coordinate, Firm, NonNegative, Number, Plac
 # Of a device's servo, where neither a scenario nor a product says it [Hz].
 DEFAULT_RATE = 1000.0
 Kind = Literal["touch", "grasp", "blade"]
+# A stylus is a row of balls half a radius apart; a step that asks millions of them would not end.
+_SLIMMEST = 1000
 # Kinds of tools that are rigid bodies.
 RIGID = ("box", "cylinder", "sphere", "file")
 # Options of a hand that only one on a device has, and of a device what a coupling has not.
@@ -300,6 +303,12 @@ class ToolTable(Table):
             raise ValueError(f"friction is {self.friction}, but a grasp holds without friction; leave it out")
         if self.kind == "grasp" and self.axis is not None:
             raise ValueError(f"axis is {self.axis}, but a grasp holds what is near its centre; leave it out")
+        long = 0.0 if self.axis is None else math.dist(self.axis, (0.0, 0.0, 0.0))
+        if self.kind == "touch" and long > _SLIMMEST * self.radius:
+            raise ValueError(
+                f"axis is {long:g} m long, but radius is {self.radius:g} m; "
+                f"it must be at most {_SLIMMEST} times the radius"
+            )
         if self.kind == "blade":
             self._blade()
         elif self.thickness is not None:
