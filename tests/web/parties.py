@@ -12,6 +12,8 @@ from pathlib import Path
 PATIENCE = 120.0
 _PAGE = r"http://127\.0\.0\.1:\d+/#token=\S+"
 
+# Held by the ground: a free point that was let go of drifts for as long as the next one takes to join, and beyond some
+# place no sample tells of it any more.
 SESSION = """
 title = "A point for four"
 
@@ -22,6 +24,8 @@ delay = [[0, 0.01, 0.01, 0.01], [0.01, 0, 0.01, 0.01], [0.01, 0.01, 0, 0.01], [0
 
 [body]
 mass = 1.0
+stiffness = 5.0
+damping = 3.0
 
 [steps]
 rate = 100
