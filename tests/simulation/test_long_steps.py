@@ -100,6 +100,8 @@ def play(bodies: list[dict[str, Any]], kinds: list[Any], T: float, seed: int) ->
         ("cells cells", [ball, grasp], 0.01, 4),
         ("solid solid", [ball, grasp], 0.01, 0),
         ("solid cells", [ball, grasp], 0.01, 5),
+        ("solid", [ball], 0.04, 7),
+        ("solid", [ball, grasp], 0.04, 4),
     ],
 )
 def test_the_balance_is_exact(solid: dict[str, Any], bodies: str, kinds: list[Any], T: float, seed: int) -> None:

@@ -5,7 +5,6 @@ velocity closes what little is left: one balance for both.
 """
 # pyright: reportArgumentType=false, reportReturnType=false
 
-import math
 from typing import Any
 
 from cotouch.arrays import Float
@@ -39,7 +38,7 @@ from cotouch.mechanics._balance_parts import close_all, judge
 from cotouch.mechanics._contact_catch import room
 from cotouch.mechanics._contact_centre import go_about, is_free, join_crossed
 from cotouch.mechanics._contact_outside import soften
-from cotouch.mechanics._contact_over import ROUNDING, driven, leave, moved_by, over_of
+from cotouch.mechanics._contact_over import ROUNDING, driven, leave, moved_by, over_of, passes, went_astray
 from cotouch.mechanics._contact_press import unsure
 from cotouch.mechanics._contact_search import search_touched, seekable
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
@@ -52,7 +51,7 @@ from cotouch.mechanics._state import SHORTENED, SUPPLIED, Links, Ports, State, W
 from cotouch.mechanics._step import book_energies, move, port_work
 from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import GRASP, TOUCH, TOUCH_LOSS, TOUCHED, Tools
-from cotouch.mechanics._vector import FOUR, at, load, splat, store, total
+from cotouch.mechanics._vector import at, load, splat, store, total
 
 # What the end velocity may make up for, as a share of its energy, where tools touch: a scale does the rest.
 _EASY = 0.015
@@ -138,7 +137,31 @@ def balanced(
     Returns:
         The scale, in [0, 1.25].
     """
-    astray = force is not None and _went_astray(op, touch, work, lanes)
+    astray = force is not None and went_astray(op, touch, work, lanes)
+    if force is not None and astray and look and seekable(op, force, surface, work):
+        for t in range(tools.mode.shape[0]):
+            touch.caught[t, 0], touch.caught[t, 4] = 0.0, 0.0
+        search_touched(
+            law,
+            op,
+            force,
+            state,
+            links,
+            ports,
+            surface,
+            tools,
+            local_damping,
+            extra_damping,
+            T,
+            _ENOUGH[0],
+            work,
+            touch,
+            ledger,
+            tolerance,
+            cap,
+            lanes,
+        )
+        astray, free, contact = went_astray(op, touch, work, lanes), -moved_by(op, touch, T, work, lanes), 0.0
     most, held_back, touches, passed = 1.0, False, False, False
     inflow, slope, spare = abs(free) + abs(contact) if force is None else 0.0, -T * (free + contact), 0.0
     for t in range(tools.mode.shape[0]):
@@ -269,7 +292,7 @@ def balanced(
             fine = fine and not crossed
         # What tools do not touch may be closed by more, but not where a search would close it by less.
         sure = fine and (touches or searches == 0 or rounded or abs(square - 1.0) <= _EASY)
-        if sure and not (goes > 1.0 and _passes(surface, touch, tools, scale * T)):
+        if sure and not (goes > 1.0 and passes(surface, touch, tools, scale * T)):
             break
         begins_anew = False
         if foretells:  # not as it was thought to be
@@ -362,38 +385,3 @@ def balanced(
             ledger[SHORTENED] = max(1.0 - shortest(force.parts, 1.0), ledger[SHORTENED])
     touch.goal[0] = scale if held_back else 1.0
     return goes
-
-
-@part
-def _went_astray(op: Operator, touch: ContactWork, work: Workspace, lanes: tuple[int, ...]) -> bool:
-    """Whether looks led to where nothing can be weighed; then nothing goes anywhere, and no tool pushes."""
-    moving = splat(0.0, lanes)
-    for i in range(work.mean.shape[0]):
-        rate = load(work.mean, i, lanes)
-        moving = moving + at(op.mass, i) * (rate * rate)
-    size = total(moving)
-    for t in range(touch.mean.shape[0]):
-        for a in range(3):
-            size += touch.inertia[t] * touch.mean[t, a] * touch.mean[t, a] + abs(touch.pull[t, a])
-    if size < math.inf:
-        return False
-    for i in range(work.mean.shape[0]):
-        store(work.mean, i, splat(0.0, lanes), lanes)
-        store(touch.push, i, splat(0.0, lanes), lanes)
-    touch.quick[0] = 0.0
-    for v in range(touch.rate.shape[0]):
-        store(touch.rate, v, splat(0.0, FOUR), FOUR)
-    for t in range(touch.mean.shape[0]):
-        touch.patch[t], touch.held[t, 1], touch.held[t, 2] = 0.0, 0.0, 0.0
-        for array in (touch.mean, touch.pull, touch.way, touch.skin):
-            store(array, t, splat(0.0, FOUR), FOUR)
-    return True
-
-
-@part
-def _passes(surface: Surface, touch: ContactWork, tools: Tools, time: float) -> bool:
-    """Whether any tool passes the skin within some time."""
-    for t in range(tools.mode.shape[0]):
-        if tools.mode[t] == TOUCH and tools.inside[t] == 0 and first_crossing(surface, touch, tools, t, time) <= 1.0:
-            return True
-    return False

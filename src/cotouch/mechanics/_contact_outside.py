@@ -40,7 +40,7 @@ def begin_tool(law: Any, surface: Surface, touch: ContactWork, tools: Tools, t: 
     if share == 0.0:  # what does nothing is not out of the skin for that
         tools.share[t] = 1.0
     pressed = press_tool(law, surface, touch, tools, t, 0.0, 0.0, True)
-    if pressed <= _NOTHING * tools.stiffness[t] * tools.radius[t] * tools.radius[t]:
+    if pressed <= _NOTHING * tools.share[t] * tools.stiffness[t] * tools.radius[t] * tools.radius[t]:
         tools.inside[t], tools.share[t] = 0, 1.0
     elif tools.inside[t] == 0 and share == 0.0:
         tools.share[t] = 0.0

@@ -1,10 +1,12 @@
 """What a scaled motion of tools and body leaves over of the energy that came in, and where a little of that stays."""
 # pyright: reportArgumentType=false, reportReturnType=false
 
+import math
 from typing import Any
 
 from cotouch.mechanics._contact_press import press_tool, pressing, rub
 from cotouch.mechanics._contact_snap import draw_tool
+from cotouch.mechanics._contact_sweep import first_crossing
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._grasp import hold_energy
 from cotouch.mechanics._kernel import part
@@ -12,7 +14,7 @@ from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import Workspace
 from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import GRASP, TOUCH, Tools
-from cotouch.mechanics._vector import at, load, splat, total
+from cotouch.mechanics._vector import FOUR, at, load, splat, store, total
 
 # A difference below this share of what made it is rounding.
 ROUNDING = 8e-16
@@ -99,3 +101,39 @@ def moved_by(op: Operator, touch: ContactWork, T: float, work: Workspace, lanes:
         for a in range(3):
             own += touch.inertia[t] * touch.mean[t, a] * touch.mean[t, a]
     return own
+
+
+@part
+def went_astray(op: Operator, touch: ContactWork, work: Workspace, lanes: tuple[int, ...]) -> bool:
+    """Whether looks led to where nothing can be weighed; then nothing goes anywhere, and no tool pushes."""
+    moving = splat(0.0, lanes)
+    for i in range(work.mean.shape[0]):
+        rate = load(work.mean, i, lanes)
+        moving = moving + at(op.mass, i) * (rate * rate)
+    size = total(moving)
+    for t in range(touch.mean.shape[0]):
+        size += abs(touch.held[t, 1]) + touch.held[t, 2]
+        for a in range(3):
+            size += touch.inertia[t] * touch.mean[t, a] * touch.mean[t, a] + abs(touch.pull[t, a])
+    if size * size * size < math.inf:  # a volume that grows like this has an energy that is a number
+        return False
+    for i in range(work.mean.shape[0]):
+        store(work.mean, i, splat(0.0, lanes), lanes)
+        store(touch.push, i, splat(0.0, lanes), lanes)
+    touch.quick[0] = 0.0
+    for v in range(touch.rate.shape[0]):
+        store(touch.rate, v, splat(0.0, FOUR), FOUR)
+    for t in range(touch.mean.shape[0]):
+        touch.patch[t], touch.held[t, 1], touch.held[t, 2] = 0.0, 0.0, 0.0
+        for array in (touch.mean, touch.pull, touch.way, touch.skin):
+            store(array, t, splat(0.0, FOUR), FOUR)
+    return True
+
+
+@part
+def passes(surface: Surface, touch: ContactWork, tools: Tools, time: float) -> bool:
+    """Whether any tool passes the skin within some time."""
+    for t in range(tools.mode.shape[0]):
+        if tools.mode[t] == TOUCH and tools.inside[t] == 0 and first_crossing(surface, touch, tools, t, time) <= 1.0:
+            return True
+    return False

@@ -18,7 +18,8 @@ from cotouch.mechanics._direction import COARSE, FEW, ask, predict
 from cotouch.mechanics._direction_missing import stiffen
 from cotouch.mechanics._direction_search import (
     BEST,
-    DONE,
+    FOUND,
+    HOPELESS,
     Sought,
     begin_search,
     best_again,
@@ -69,6 +70,7 @@ def search_touched(
     for t in range(count):
         store(touch.mean, t, splat(0.0, FOUR), FOUR)
         store(touch.grips, t, splat(0.0, FOUR), FOUR)
+        store(touch.kept, t, splat(0.0, FOUR), FOUR)
     for c in range(touch.many[0]):
         store(firm, touch.reach[c], splat(0.0, lanes), lanes)
     here = False
@@ -85,10 +87,9 @@ def search_touched(
             if passes:
                 touch.lacks[t, 0] = math.inf
         came = judge_look(force.parts, sought, enough, work, lanes)
-        here = came == BEST
+        here = came in (BEST, FOUND)
         _keep_firm(touch, tools, here)
-        if came == DONE:
-            here = not passes
+        if came in (FOUND, HOPELESS):
             break
         combine_kept(force.parts, sought, work, lanes)
         here = False

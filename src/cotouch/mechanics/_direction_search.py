@@ -25,11 +25,12 @@ LOOKS, FIRST_LOOKS = 40, 3
 # A matrix becomes so much stiffer where a look led farther away, and less so where not.
 _STIFFER, _SOFTER, _STIFFEST = 4.0, 0.5, 1e12
 # Who misses less than this share of the motion has found all that there is.
-_FOUND = 1e-4
+_ENOUGH = 1e-4
 # Places of numbers of a search: how much the best misses, how stiff the matrix is, how many changes are remembered.
 _LEAST, _STIFF, _KEPT = range(3)
-# What comes of a look: it is the best so far, or the best is taken again; or there is nothing more to find.
-BEST, WORSE, DONE = range(3)
+# What comes of a look: it is the best so far, or all that there is to find; or the best is taken again, for good where
+# nothing is better.
+BEST, FOUND, WORSE, HOPELESS = range(4)
 
 
 class Sought(NamedTuple):
@@ -86,7 +87,8 @@ def search(
     for _ in range(looks):
         predict(op, force, state, T, False, work, lanes)
         ask(op, force, state, links, ports, local_damping, extra_damping, T, work, lanes)
-        found = judge_look(force.parts, none, _FOUND, work, lanes) == DONE
+        came = judge_look(force.parts, none, _ENOUGH, work, lanes)
+        found = came in (FOUND, HOPELESS)
         if found and not at(work.search, _LEAST) < math.inf:
             return True
         if found:
@@ -109,7 +111,7 @@ def judge_look(parts: Parts | None, tools: Sought, enough: float, work: Workspac
         lanes: fixes the width.
 
     Returns:
-        BEST or WORSE; DONE: there is nothing more to find.
+        What comes of it.
     """
     rows, numbers, count = work.mean.shape[0], work.search, tools.firm.shape[0]
     first = not at(numbers, _LEAST) < math.inf
@@ -135,16 +137,16 @@ def judge_look(parts: Parts | None, tools: Sought, enough: float, work: Workspac
         _copy(tools.missed, 0, tools.kept, count, count, FOUR)
         put(numbers, _LEAST, misses)
         put(numbers, _STIFF, max(_SOFTER * at(numbers, _STIFF), 1.0))
-        return DONE if misses <= enough * enough * size else BEST
+        return FOUND if misses <= enough * enough * size else BEST
     if first:
-        return DONE
+        return HOPELESS
     best_again(parts, work, lanes)
     _copy(work.sought, rows, work.rhs, 0, rows, lanes)
     _copy(tools.kept, 0, tools.rate, 0, count, FOUR)
     _copy(tools.kept, count, tools.missed, 0, count, FOUR)
     put(numbers, _STIFF, _STIFFER * at(numbers, _STIFF))
     put(numbers, _KEPT, 0.0)
-    return DONE if at(numbers, _STIFF) > _STIFFEST else WORSE
+    return HOPELESS if at(numbers, _STIFF) > _STIFFEST else WORSE
 
 
 @inner
