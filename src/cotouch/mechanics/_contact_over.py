@@ -99,3 +99,14 @@ def moved_by(op: Operator, touch: ContactWork, T: float, work: Workspace, lanes:
         for a in range(3):
             own += touch.inertia[t] * touch.mean[t, a] * touch.mean[t, a]
     return own
+
+
+@part
+def stretch_tool(touch: ContactWork, t: int, factor: float) -> None:
+    """Scales how far a tool goes, and what it holds; what overflowed would be no number times 0."""
+    goes = factor > 0.0
+    touch.held[t, 1] = factor * touch.held[t, 1] if goes else 0.0
+    touch.held[t, 2] = factor * factor * touch.held[t, 2] if goes else 0.0
+    for a in range(3):
+        touch.mean[t, a] = factor * touch.mean[t, a] if goes else 0.0
+        touch.skin[t, a] = factor * touch.skin[t, a] if goes else 0.0
