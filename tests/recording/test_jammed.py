@@ -46,6 +46,18 @@ TOOLS: list[dict[str, Any]] = [
     }
     for place in ([0.021, 0.031, 0.055], [0.041, 0.022, 0.075])
 ]
+# Balls that nothing comes near to.
+AWAY: list[dict[str, Any]] = [
+    {
+        "user": 1,
+        "at": [x, 0.03, 0.15],
+        "radius": 0.006,
+        "mass": 0.03,
+        "stiffness": 2000.0,
+        "hand": {"stiffness": 50.0, "damping": 0.1, "path": [[0, 0, 0, 0], [1.0, 0, 0, 0.5]]},
+    }
+    for x in (0.1, 0.2)
+]
 
 
 @pytest.fixture(scope="module", params=list(BODIES))
@@ -54,7 +66,7 @@ def honest(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
         network=PAIR,
         steps={"duration": 0.16, "period": [0.008, 0.004]},
         synchronisation={"law": "spring"},
-        tools=TOOLS,
+        tools=AWAY + TOOLS,
         **BODIES[request.param],
     )
     return [read_recording(path) for path in recorded_world(scenario, Path(tmp_path_factory.mktemp("jammed")))]
@@ -83,10 +95,12 @@ def test_nobody_is_accused(honest: list[Recording], every: int) -> None:
 
 
 def test_only_what_touches_loses_motion(honest: list[Recording], request: pytest.FixtureRequest) -> None:
-    """Guesses that were given up had block and die meet, over 2 m."""
+    """Guesses that were given up had the block meet a die, over 2 m, and balls elsewhere."""
     name = request.node.callspec.params["honest"]
     lost = np.isfinite(honest[0].columns["jammed"]).all(axis=2)
-    assert lost.shape[1] == (4 if "bodies" in BODIES[name] else 3)
+    bodies = len(BODIES[name].get("bodies", [0]))
+    assert lost.shape[1] == bodies + 4
+    assert not lost[:, bodies : bodies + 2].any()
     if name == "touching":
         assert np.array_equal(lost[:, 0], lost[:, 1])
     elif "apart" in name:
@@ -146,7 +160,7 @@ def test_a_step_that_was_not_jammed_is_not_by_saying_so(honest: list[Recording])
 def test_what_does_not_fit_is_refused(honest: list[Recording]) -> None:
     ann, ben = honest
     short = replace(ann, columns={**ann.columns, "jammed": ann.columns["jammed"][:, 1:]})
-    with pytest.raises(RecordingError, match="bodies and 2 tools jammed"):
+    with pytest.raises(RecordingError, match="bodies and 4 tools jammed"):
         audit([short, ben])
 
 

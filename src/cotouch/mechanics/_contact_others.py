@@ -8,6 +8,7 @@ from cotouch.mechanics._balance_groups import LENGTH, OPEN, OTHERS, WITH
 from cotouch.mechanics._balance_length import ask_fall, find_outside, meet_again, set_length
 from cotouch.mechanics._balance_parts import hold_groups
 from cotouch.mechanics._contact_centre import hold_face
+from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._direction_groups import level_groups
 from cotouch.mechanics._force import BodyForce
@@ -16,7 +17,7 @@ from cotouch.mechanics._meeting import Parts
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import Links, Ports, State, Workspace
 from cotouch.mechanics._surface import Surface
-from cotouch.mechanics._tools import Tools
+from cotouch.mechanics._tools import TOUCH, Tools
 from cotouch.mechanics._vector import at, load, put, store
 
 
@@ -78,9 +79,9 @@ def free_others(
     work: Workspace,
     lanes: tuple[int, ...],
 ) -> bool:
-    """Frees bodies that only a guess that was given up had meet a tool, or what tools touch; a step is taken back.
+    """Frees bodies and tools that only a guess that was given up had meet each other; a step is taken back then.
 
-    Such a guess may lead metres away. They go as weight and what holds them from outside lead.
+    Such a guess may lead metres away. They go as their drives, weight and what holds them from outside lead.
 
     Args:
         op: see `shorten_others`, like all others.
@@ -103,6 +104,7 @@ def free_others(
     """
     if parts is None:
         return False
+    found = _free_tools(surface, tools, touch, T)
     meet_again(force.world, parts)
     for b in range(parts.held.shape[0]):
         put(parts.sums, (b, OPEN), float(at(parts.held, b)))
@@ -114,7 +116,6 @@ def free_others(
         if touch.caught[t, 0] != 0.0:
             hold_face(surface, parts, int(touch.caught[t, 1]))
     hold_groups(parts)
-    found = False
     for b in range(parts.held.shape[0]):
         frees = at(parts.sums, (b, OPEN)) != 0.0 and at(parts.held, b) == 0
         put(parts.sums, (b, OPEN), 1.0 if frees else 0.0)
@@ -137,3 +138,24 @@ def free_others(
             store(work.asked, i, load(work.mean, i, lanes), lanes)
     keep_place(state, work, lanes)  # looks went elsewhere
     return True
+
+
+@part
+def _free_tools(surface: Surface, tools: Tools, touch: ContactWork, T: float) -> bool:
+    """Frees tools that do nothing now, and would pass no skin on their own way; returns whether there are any."""
+    found = False
+    for t in range(tools.mode.shape[0]):
+        acts = touch.total[t] > 0.0 or touch.well[t] != 0.0 or touch.stored[t] != 0.0 or tools.stored[t] != 0.0
+        if tools.mode[t] != TOUCH or tools.inside[t] != 0 or touch.caught[t, 4] == 0.0 or acts:
+            continue
+        for n in range(3):
+            touch.out[0, n], touch.out[1, n] = touch.mean[t, n], touch.caught[t, 6 + n]
+            touch.mean[t, n] = touch.drive[t, n] / touch.inertia[t]
+        face, along = touch.caught[t, 1], touch.caught[t, 9]
+        if first_crossing(surface, touch, tools, t, T) < NEVER:
+            touch.caught[t, 1], touch.caught[t, 9] = face, along
+            for n in range(3):
+                touch.mean[t, n], touch.caught[t, 6 + n] = touch.out[0, n], touch.out[1, n]
+        else:
+            touch.caught[t, 0], touch.caught[t, 4], found = 0.0, 0.0, True
+    return found
