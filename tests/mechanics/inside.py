@@ -4,6 +4,7 @@ from cotouch.mechanics import _contact_catch as catching
 from cotouch.mechanics._angle import angles
 from cotouch.mechanics._breaking import SOLIDS, principal_stress
 from cotouch.mechanics._contact_centre import JAMMED
+from cotouch.mechanics._contact_over import stretch_tool
 from cotouch.mechanics._crossing import crosses
 from cotouch.mechanics._cutting_of import EDGES
 from cotouch.mechanics._materials import gradients_of, lame_of
@@ -42,6 +43,7 @@ __all__ = [
     "refit",
     "root",
     "shortened",
+    "stretch_tool",
     "transposed",
     "walls_of",
 ]

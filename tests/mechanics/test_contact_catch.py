@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 import pytest
-from tests.mechanics.inside import JAMMED, catching
+from tests.mechanics.inside import JAMMED, catching, stretch_tool
 from tests.mechanics.materials import made as soft
 from tests.mechanics.pressing import Pressed
 
@@ -140,6 +140,23 @@ def test_a_jammed_ball_comes_free() -> None:
     assert 0 < jammed <= 5
     assert lacks <= 1e-13 * copy.in_play  # what it loses with the ball, the ball did on it
     assert copy.residual <= 1e-13 * copy.in_play
+
+
+def test_a_way_that_overflowed_comes_to_rest() -> None:
+    """As the last of all attempts at a step, which must be a number: rates, and what a grasp holds by them."""
+    work = above("cells", 0.003, 0.01).contact.work
+    arrays = (work.mean[:, :3], work.skin[:, :3], work.held[:, 1:])
+    for number in (np.inf, -np.inf, np.nan):
+        for array in arrays:
+            array[:] = number
+        stretch_tool.py_func(work, 0, 0.0)
+        assert not any(array.any() for array in arrays)
+    for array in arrays:
+        array[:] = 3.0
+    stretch_tool.py_func(work, 0, 0.5)
+    assert (work.mean[:, :3] == 1.5).all()
+    assert (work.skin[:, :3] == 1.5).all()
+    assert work.held[0, 1:].tolist() == [1.5, 0.75]
 
 
 def test_no_guess_asks_for_more_than_turns_the_tool_back(monkeypatch: pytest.MonkeyPatch) -> None:

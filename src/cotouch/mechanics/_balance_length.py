@@ -105,6 +105,25 @@ def join_met(world: World | None, parts: Parts | None) -> None:
 
 
 @part
+def meet_again(world: World | None, parts: Parts | None) -> None:
+    """Who touches or passes another by the motion that was weighed last is of one group with it, and nobody else."""
+    if parts is None:
+        return
+    for b in range(parts.held.shape[0]):
+        put(parts.met.group, b, b)
+    if world is None:
+        return
+    m = world.bodies
+    if m is not None:
+        for e in range(at(m.entries, 1)):
+            one, two = at(m.part, at(m.point, e)), at(m.other, e)
+            meets = at(m.began, (e, 0)) > 0.0 or at(m.ended, (e, 0)) > 0.0
+            meets = meets or (at(m.met.passed, one) != 0 and at(m.met.passed, two) != 0)
+            if max(one, two) < m.moves and meets:
+                _join(parts, one, two)
+
+
+@part
 def join_held(parts: Parts | None, noise: float) -> None:
     """Where a group that a tool touches would have less than no energy, all that tools touch are one group.
 

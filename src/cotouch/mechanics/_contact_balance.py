@@ -12,7 +12,6 @@ from cotouch.mechanics._balance import (
     ABOUT,
     FIXED,
     HAVE,
-    LAST_ATTEMPT,
     LEAST,
     MOST,
     NOISE,
@@ -24,26 +23,18 @@ from cotouch.mechanics._balance import (
     resting,
     weigh,
 )
-from cotouch.mechanics._balance_groups import LAST_OF_ALL, OTHERS, start_attempts
-from cotouch.mechanics._balance_length import (
-    ask_fall,
-    ask_length,
-    find_outside,
-    free_groups,
-    set_length,
-    shortest,
-    stretch,
-)
+from cotouch.mechanics._balance_groups import LAST_OF_ALL, start_attempts
+from cotouch.mechanics._balance_length import ask_length, free_groups, shortest, stretch
 from cotouch.mechanics._balance_parts import close_all, judge
 from cotouch.mechanics._contact_catch import room
 from cotouch.mechanics._contact_centre import go_about, is_free, join_crossed
+from cotouch.mechanics._contact_others import free_others, shorten_others
 from cotouch.mechanics._contact_outside import soften
 from cotouch.mechanics._contact_over import ROUNDING, driven, leave, moved_by, over_of, passes, went_astray
 from cotouch.mechanics._contact_press import unsure
 from cotouch.mechanics._contact_search import search_touched, seekable
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import ContactWork
-from cotouch.mechanics._direction_groups import level_groups
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._operator import Operator
@@ -189,7 +180,7 @@ def balanced(
         searches = len(_ENOUGH)
     seeks, still, rounded, hardly, told = not held_back, False, True, False, False
     scale, have, last, last_over, tries, halves, shrinks, square = most, 1.0, 0.0, 0.0, 0, 0, ROUNDING, 1.0
-    shorter, crossed, foretells, most_halves = 0, False, False, _PARTS if central else _HALVES
+    shorter, crossed, frees, foretells, most_halves = 0, False, True, False, _PARTS if central else _HALVES
     if central:
         shrinks = _SHARE
         join_crossed(surface, tools, touch, force, T)
@@ -265,18 +256,7 @@ def balanced(
             fine = fine and not passed
             seeks = seeks and not passed
             if others:  # bodies that no tool touches
-                go_back(force, state, work, lanes)
-                find_outside(op, force.world, force.parts, ports, T, work, lanes)
-                left = LAST_ATTEMPT - shorter
-                if left == OTHERS - 1:
-                    ask_fall(op, force, state, T, work, lanes)
-                rest = left <= OTHERS - 2
-                set_length(op, force.parts, work, 0.0 if left <= OTHERS else 1.0, rest, lanes)
-                if not rest:
-                    level_groups(
-                        op, force, force.parts, state, links, ports, local_damping, extra_damping, T, work, lanes
-                    )
-                keep_place(state, work, lanes)  # looks went elsewhere
+                shorten_others(op, force, state, links, ports, local_damping, extra_damping, T, shorter, work, lanes)
                 shorter += 1
                 continue
             if not (fine or passed or meets or still or central) and resting(
@@ -290,6 +270,26 @@ def balanced(
         if central:
             crossed = join_crossed(surface, tools, touch, force, T)
             fine = fine and not crossed
+            ends = not crossed and (fine or over >= -noise or halves > most_halves)
+            if force is not None and ends and frees:  # at most once
+                frees = False
+                if free_others(
+                    op,
+                    force,
+                    force.parts,
+                    state,
+                    links,
+                    ports,
+                    surface,
+                    tools,
+                    touch,
+                    local_damping,
+                    extra_damping,
+                    T,
+                    work,
+                    lanes,
+                ):
+                    continue
         # What tools do not touch may be closed by more, but not where a search would close it by less.
         sure = fine and (touches or searches == 0 or rounded or abs(square - 1.0) <= _EASY)
         if sure and not (goes > 1.0 and passes(surface, touch, tools, scale * T)):

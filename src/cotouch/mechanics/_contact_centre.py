@@ -12,6 +12,7 @@ from cotouch.mechanics._balance import FIXED, MOTION
 from cotouch.mechanics._balance_groups import TIED
 from cotouch.mechanics._balance_length import find_outside, keep_groups, stretch
 from cotouch.mechanics._balance_parts import hold_groups
+from cotouch.mechanics._contact_over import stretch_tool
 from cotouch.mechanics._contact_skin import fastest, read_rates
 from cotouch.mechanics._contact_sweep import first_crossing
 from cotouch.mechanics._contact_work import ContactWork
@@ -83,11 +84,7 @@ def go_about(
         stretch(force.parts, work.mean, factor, lanes)
     for t in range(tools.mode.shape[0]):
         if _joins(tools, touch, t) or rest:
-            touch.held[t, 1] *= factor
-            touch.held[t, 2] *= factor * factor
-            for a in range(3):
-                touch.mean[t, a] *= factor
-                touch.skin[t, a] *= factor
+            stretch_tool(touch, t, factor)
     did = 0.0
     if rest:
         did = 0.0
@@ -185,7 +182,7 @@ def join_crossed(surface: Surface, tools: Tools, touch: ContactWork, force: Body
             found = True
             touch.caught[t, 0] = 1.0
             if force is not None:
-                _hold(surface, force.parts, int(touch.caught[t, 1]))
+                hold_face(surface, force.parts, int(touch.caught[t, 1]))
     if force is not None and found:
         hold_groups(force.parts)
     return found
@@ -264,7 +261,7 @@ def lose_motion(
 
 
 @inner
-def _hold(surface: Surface, parts: Parts | None, f: int) -> None:
+def hold_face(surface: Surface, parts: Parts | None, f: int) -> None:
     """Notes that a tool touches the bodies of a triangle."""
     if parts is None:
         return

@@ -137,3 +137,14 @@ def passes(surface: Surface, touch: ContactWork, tools: Tools, time: float) -> b
         if tools.mode[t] == TOUCH and tools.inside[t] == 0 and first_crossing(surface, touch, tools, t, time) <= 1.0:
             return True
     return False
+
+
+@part
+def stretch_tool(touch: ContactWork, t: int, factor: float) -> None:
+    """Scales how far a tool goes, and what it holds; what overflowed would be no number times 0."""
+    goes = factor > 0.0
+    touch.held[t, 1] = factor * touch.held[t, 1] if goes else 0.0
+    touch.held[t, 2] = factor * factor * touch.held[t, 2] if goes else 0.0
+    for a in range(3):
+        touch.mean[t, a] = factor * touch.mean[t, a] if goes else 0.0
+        touch.skin[t, a] = factor * touch.skin[t, a] if goes else 0.0
