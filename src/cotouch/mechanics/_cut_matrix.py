@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 import scipy.sparse as sp
 
-from cotouch.arrays import Float, Int
+from cotouch.arrays import Bool, Float, Int
 from cotouch.mechanics._kernel import block, inner
 from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator
 from cotouch.mechanics._vector import at, put
@@ -85,7 +85,7 @@ def bonds_of(op: Operator, tied: Int, corner: Int) -> Bonds:
     inside = (op.mix[[STIFFNESS, DAMPING]] != 0.0).any(axis=0)
     outside = (op.mix[MASS] != 0.0) | (op.mix[WEIGHTS:] != 0.0).any(axis=0)
     places = [np.asarray(find[row[:, k], row[:, 1 - k]]).ravel() - 1 for k in range(2)]
-    alone = (corner >= 0) & ~faces[:, None]
+    alone: Bool = np.logical_and(corner >= 0, np.repeat(faces, corner.shape[1]).reshape(corner.shape) == 0)
     hangs = corner[alone]
     by_row = np.argsort(hangs, kind="stable")
     return Bonds(
