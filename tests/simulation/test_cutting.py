@@ -106,6 +106,46 @@ def test_batch_and_peers_cut_alike_to_the_bit(ran: Any) -> None:
         assert max(abs(report.residual) for report in told.reports[user]) < 1e-14
 
 
+def test_nodes_that_lost_their_last_element_rest_and_no_hand_feels_them() -> None:
+    """Under gravity: a thick blade takes three layers of cubes, where one user's hand and another's grasp hold on."""
+    way = [[0, 0, 0, 0], [0.1, 0, 0, 0.01]]
+    grasp = {"user": 2, "kind": "grasp", "at": [0.04, 0.02, 0.01], "radius": 0.004}
+    prepared = prepare(
+        made(
+            world={"gravity": [0, 0, -9.81]},
+            hands=[{"user": 1, "at": [0.03, 0.01, 0.01], "path": [0.01, 0, 0]}],
+            tools=[
+                {**RUN["tools"][0], "thickness": 0.025},
+                {**grasp, "hand": {"path": way, "stiffness": 500, "damping": 20}},
+            ],
+            record={"nodes": "all"},
+        )
+    )
+    outcome = run_prepared(prepared)
+    run, material = dataset(prepared, outcome), prepared.body.material
+    assert material is not None
+    assert run.attrs["energy_residual"] < 1e-12
+    assert run.attrs["passivity_margin"] >= -1e-12
+    told = run_peers(prepared)
+    for user in range(3):
+        gone = np.where(run["cut_by"].values[user] > 0, run["cut_time"].values[user], np.inf)
+        last = np.full(prepared.body.nodes, -np.inf)
+        np.maximum.at(last, material.elements, gone[:, None])
+        debris = last < np.inf
+        assert set(prepared.body.rest[debris, 0]) == {0.03, 0.04}
+        after = run["time"].values[user] > last[debris].max() + 1e-9
+        place = run["position"].values[user][after]
+        assert np.array_equal(place[:, debris], np.broadcast_to(place[0, debris], place[:, debris].shape))
+        assert (np.ptp(place[:, ~debris], axis=0).max(axis=1) > 0.0).all()
+        # Who held on feels nothing from then on.
+        for force in (run["force"].values[user], *run["touch_force"].values[[1] if user == 1 else []]):
+            assert np.abs(force[after][1:]).max() < 1e-12
+            assert user == 2 or np.abs(force[~after]).max() > 0.1
+        assert np.array_equal(told.position[user][-1], outcome.position[user])
+        assert sum(report.cut for report in told.reports[user]) == pytest.approx(float(run["cut"].values[user, -1]))
+        assert max(abs(report.residual) for report in told.reports[user]) < 1e-14
+
+
 def test_what_was_cut_away_is_not_touched(ran: Any) -> None:
     """The second user's ball presses where the blade goes through; then there is nothing any more."""
     _, _, run = ran

@@ -40,6 +40,7 @@ from cotouch.mechanics._balance_length import (
     stop_all,
 )
 from cotouch.mechanics._balance_parts import close_all, free_parts, keep_parts
+from cotouch.mechanics._debris import free_debris, rest_debris
 from cotouch.mechanics._direction import begin_looks, direct, level, predict
 from cotouch.mechanics._direction_groups import level_groups
 from cotouch.mechanics._direction_more import LITTLE, SLOWEST, rough
@@ -114,6 +115,7 @@ def closed_step(
         lanes: fixes the width of a row.
     """
     take_up(force.world, state.memory, state.position)
+    free_debris(op, ports, lanes)
     free_parts(force.parts)
     begin_looks(work)
     ledger[ITERATIONS] = 0.0
@@ -165,6 +167,7 @@ def closed_step(
     work.weighed[FIXED] = 0.0
     while True:
         keep_place(state, work, lanes)
+        rest_debris(op, work.mean, lanes)
         gain = ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
         move(op, state, links, T, sample, work, link_work, lanes)
         for link in range(links.slot.shape[0]):

@@ -35,6 +35,7 @@ from cotouch.mechanics._contact_press import unsure
 from cotouch.mechanics._contact_search import search_touched, seekable
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import ContactWork
+from cotouch.mechanics._debris import rest_debris
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._operator import Operator
@@ -174,8 +175,7 @@ def balanced(
         ask_length(work, lanes)
     held_back = held_back or astray or most < 1.0
     central = held_back or is_free(op, force, links, ports, tools, touch, T, work, lanes)
-    work.weighed[FIXED] = 1.0
-    searches = 0
+    work.weighed[FIXED], searches = 1.0, 0
     if force is not None and look and not central and seekable(op, force, surface, work):
         searches = len(_ENOUGH)
     seeks, still, rounded, hardly, told = not held_back, False, True, False, False
@@ -216,6 +216,7 @@ def balanced(
             else:
                 stretch(force.parts, work.mean, scale / have if scale > 0.0 else 0.0, lanes)
             have, touch_ledger[TOUCHED] = scale, over
+            rest_debris(op, work.mean, lanes)
             ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
             move(op, state, links, T, sample, work, link_work, lanes)
             gain = ledger[SUPPLIED] + over

@@ -8,7 +8,7 @@ energy of the contact, and of the step, exact [after DESIGN.md, "One scale keeps
 import math
 from typing import Any
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Int
 from cotouch.mechanics._absent import hide_away
 from cotouch.mechanics._balance_parts import hold_parts
 from cotouch.mechanics._contact_balance import balanced, dot_rows
@@ -31,6 +31,7 @@ from cotouch.mechanics._contact_snap import begin_snap, end_snap, owed_drag
 from cotouch.mechanics._contact_solve import solve_touched
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import Contact, ContactWork
+from cotouch.mechanics._debris import drop_debris, free_debris
 from cotouch.mechanics._direction import begin_looks, level, predict
 from cotouch.mechanics._direction_missing import hold_ports
 from cotouch.mechanics._direction_more import MOST_LOOKS, leaves_little, rough
@@ -106,7 +107,7 @@ def contact_step(
     near = not modal and op.entries.shape[0] > 0 and work.dense.shape[0] == 0
     _drive(tools, touch, T)
     forget_rows(touch, lanes)
-    look = _begin(law, surface, touch, tools, T, state, touch_ledger, force is None, lanes)
+    look = _begin(law, surface, touch, tools, T, state, op.debris, touch_ledger, force is None, lanes)
     guess = state.velocity
     ledger[ITERATIONS], looks, directions, change, enough, last = 0.0, 1, 1, math.inf, 0.0, False
     # Whether the first look corrects the velocity already: what it leaves, the second finds.
@@ -116,6 +117,7 @@ def contact_step(
         for i in range(mean.shape[0]):
             store(mean, i, load(state.velocity, i, lanes), lanes)
         take_up(force.world, state.memory, state.position)
+        free_debris(op, ports, lanes)
         begin_looks(work)
         directions = looks_ahead(state.memory, force.directions, force.cut)
         looks = looks_of(force.world, directions, work.dense.shape[0] > 0)
@@ -255,6 +257,7 @@ def _begin(
     tools: Tools,
     T: float,
     state: State,
+    debris: Int,
     touch_ledger: Float,
     linear: bool,
     lanes: tuple[int, ...],
@@ -293,7 +296,11 @@ def _begin(
             begin_tool(law, surface, touch, tools, t, linear)
             begin_snap(surface, touch, tools, t)
         elif tools.mode[t] == GRASP and tools.held[t] < 0:
-            take(surface, touch.fit, tools, t, state.position, state.memory, lanes)
+            take(surface, touch.fit, tools, t, state.position, state.memory, debris, lanes)
+        elif tools.mode[t] == GRASP:
+            lost = drop_debris(debris, surface, tools, t, state.position)
+            tools.stored[t] -= lost
+            touch_ledger[TOUCH_LOSS] += lost
     return True
 
 

@@ -12,10 +12,10 @@ from typing import NamedTuple
 import numpy as np
 import scipy.sparse as sp
 
-from cotouch.arrays import Float, Int
+from cotouch.arrays import Bool, Float, Int
 from cotouch.mechanics._kernel import block, inner
 from cotouch.mechanics._operator import DAMPING, MASS, STIFFNESS, WEIGHTS, Operator
-from cotouch.mechanics._vector import at
+from cotouch.mechanics._vector import at, put
 from cotouch.passing import by_address
 
 
@@ -35,6 +35,9 @@ class Bonds(NamedTuple):
         taken: likewise.
         gone: likewise.
         pointer: of rows among the entries.
+        debris: of the operator, changed in place.
+        hung: first of the elements at each row, among `hangs`; faces are none, (rows + 1,).
+        hangs: elements.
     """
 
     pair: Int
@@ -48,6 +51,9 @@ class Bonds(NamedTuple):
     taken: Float
     gone: Int
     pointer: Int
+    debris: Int
+    hung: Int
+    hangs: Int
 
 
 def bonds_of(op: Operator, tied: Int, corner: Int) -> Bonds:
@@ -79,6 +85,9 @@ def bonds_of(op: Operator, tied: Int, corner: Int) -> Bonds:
     inside = (op.mix[[STIFFNESS, DAMPING]] != 0.0).any(axis=0)
     outside = (op.mix[MASS] != 0.0) | (op.mix[WEIGHTS:] != 0.0).any(axis=0)
     places = [np.asarray(find[row[:, k], row[:, 1 - k]]).ravel() - 1 for k in range(2)]
+    alone: Bool = np.logical_and(corner >= 0, np.repeat(faces, corner.shape[1]).reshape(corner.shape) == 0)
+    hangs = corner[alone]
+    by_row = np.argsort(hangs, kind="stable")
     return Bonds(
         pair=pair,
         place=np.stack(places, axis=1).astype(np.int32),
@@ -91,6 +100,9 @@ def bonds_of(op: Operator, tied: Int, corner: Int) -> Bonds:
         taken=op.taken,
         gone=op.gone,
         pointer=op.pointer,
+        debris=op.debris,
+        hung=np.concatenate([[0], np.cumsum(np.bincount(hangs, minlength=rows))]).astype(np.int32),
+        hangs=np.nonzero(alone)[0][by_row].astype(np.int32),
     )
 
 
@@ -107,14 +119,20 @@ def loosen(bonds: Bonds, memory: Float, first: int) -> None:
     if many == 0 and bonds.gone[count] == 0:
         return
     bonds.gone[count] = many
+    changed = False
     for e in range(count):
         gone = 1 if at(memory, first + e) != 0.0 else 0
         if gone == at(bonds.gone, e):
             continue
-        bonds.gone[e] = gone
+        bonds.gone[e], changed = gone, True
         for c in range(bonds.pair.shape[1]):
             if at(bonds.pair, (e, c)) >= 0:
                 _join(bonds, at(bonds.pair, (e, c)))
+    for i in range(bonds.debris.shape[0] if changed else 0):
+        whole = at(bonds.hung, i) == at(bonds.hung, i + 1)  # what never had an element is none
+        for n in range(at(bonds.hung, i), at(bonds.hung, i + 1)):
+            whole = whole or at(bonds.gone, at(bonds.hangs, n)) == 0
+        put(bonds.debris, i, 0 if whole else 1)
 
 
 @inner

@@ -16,6 +16,7 @@ from cotouch.mechanics._balance_parts import keep_parts
 from cotouch.mechanics._breaking import principal_stress
 from cotouch.mechanics._crossing import crosses
 from cotouch.mechanics._cut_matrix import Bonds, loosen
+from cotouch.mechanics._debris import stop_debris
 from cotouch.mechanics._force import BodyForce, evaluate
 from cotouch.mechanics._kernel import block, inner, part
 from cotouch.mechanics._operator import Operator
@@ -269,6 +270,8 @@ def sever(
 ) -> int:
     """Takes away the wanted elements; CUT of the ledger gets exactly what they held, and ELASTIC loses it.
 
+    Nodes that have lost their last element stop; what they moved with goes from KINETIC to CUT.
+
     Args:
         cutting: the elements.
         op: the body, as this copy has it.
@@ -302,6 +305,8 @@ def sever(
         memory[AT_WORLD] = outside
         ledger[WORLD_STORED] = scale * outside
     ledger[ELASTIC] -= ledger[CUT]
+    loosen(cutting.bonds, memory, cutting.first)
+    stop_debris(op, state, ledger, lanes)
     return new
 
 

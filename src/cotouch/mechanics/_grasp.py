@@ -7,6 +7,7 @@ from cotouch.arrays import Float, Int
 from cotouch.mechanics._absent import is_held_away
 from cotouch.mechanics._contact_near import touched
 from cotouch.mechanics._contact_work import ContactWork
+from cotouch.mechanics._debris import is_debris
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._surface import Fit, Surface, place_vertex
 from cotouch.mechanics._tools import MOST_HELD, MOST_HELD_MODAL, Tools
@@ -49,7 +50,14 @@ def held_rate(hold_row: Int, shape: Float, hold: int, axis: int, mean: Float) ->
 
 @part
 def take(
-    surface: Surface, fit: Fit, tools: Tools, t: int, position: Float, memory: Float, lanes: tuple[int, ...]
+    surface: Surface,
+    fit: Fit,
+    tools: Tools,
+    t: int,
+    position: Float,
+    memory: Float,
+    debris: Int,
+    lanes: tuple[int, ...],
 ) -> None:
     """Takes hold of the nodes within the tool's radius, or of the nearest, with springs that start relaxed."""
     hold_row, rest, hold_rest, moved = surface.hold_row, surface.rest, surface.hold_rest, fit.place
@@ -59,7 +67,7 @@ def take(
     limit = tools.radius[t] * tools.radius[t]
     count, worst, nearest, near = 0, 0, 0, np.inf
     for h in range(hold_rest.shape[0]):
-        if is_held_away(surface, memory, h):
+        if is_held_away(surface, memory, h) or is_debris(debris, hold_row, h):
             continue
         if modal:
             place_vertex(surface, fit, h, position, lanes)
@@ -82,7 +90,7 @@ def take(
                 if square < offset[base + worst, 3]:
                     hold_of[t, worst] = h
                     offset[base + worst, 3] = square
-    if count == 0:
+    if count == 0 and near < np.inf:
         hold_of[t, 0] = nearest
         count = 1
     tools.held[t] = count

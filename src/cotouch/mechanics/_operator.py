@@ -46,6 +46,7 @@ class Operator(NamedTuple):
             of a body that cannot be cut.
         whole: `entries` of that body as it was made, likewise.
         gone: for each of its elements whether it is out of the entries, and how many were cut, (elements + 1,).
+        debris: which rows lost all their elements there, and rest, (rows,); or (0,) of a body that cannot be cut.
     """
 
     copy_scale: float
@@ -65,6 +66,7 @@ class Operator(NamedTuple):
     taken: Float = np.zeros((0, 0))
     whole: Float = np.zeros((0, 0))
     gone: Int = np.zeros(0, dtype=np.int32)
+    debris: Int = np.zeros(0, dtype=np.int32)
 
 
 def cuttable(op: Operator, elements: int) -> Operator:
@@ -75,7 +77,8 @@ def cuttable(op: Operator, elements: int) -> Operator:
         elements: how many can be cut.
     """
     out, taken = np.zeros(elements + 1, dtype=np.int32), np.zeros_like(op.magnitude)
-    return op._replace(taken=taken, whole=op.entries.copy(), gone=out)
+    debris = np.zeros(op.mass.size, dtype=np.int32)
+    return op._replace(taken=taken, whole=op.entries.copy(), gone=out, debris=debris)
 
 
 def rescaled(op: Operator, *, copy_scale: float, stiffness: float) -> Operator:

@@ -225,7 +225,7 @@ class Neighbour:
         """What is known of the link.
 
         Args:
-            position: of this end's copy, as the model's rows [m]; None before it moves.
+            position: of this end's copy, as the model's rows, NaN for what is debris [m]; None before it moves.
             path_state: how the neighbour is reached.
             work: of the link on the copy since the start [J].
         """
@@ -254,7 +254,7 @@ class Neighbour:
             saved=link.sent.saved,
             force=self.force,
             work=work,
-            difference=float(apart.max()),
+            difference=float(np.fmax.reduce(apart, initial=0.0)),
             guarded=self.guarded,
             asked=self.budget.beyond,
         )

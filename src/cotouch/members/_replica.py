@@ -19,7 +19,7 @@ from cotouch.members._shared_model import SharedModel
 from cotouch.members._step_recorder import StepRecorder
 from cotouch.members._totals import Totals
 from cotouch.network import link_damping
-from cotouch.peer import Peer, StepReport
+from cotouch.peer import Peer, StepReport, without_debris
 from cotouch.samples import Entropy, IndexedAssembly, SamplePlane
 from cotouch.scenario import per_user
 
@@ -396,5 +396,5 @@ class Replica:
         Args:
             slot: of a neighbour.
         """
-        position = None if self.peer is None else self.peer.state.position
+        position = None if self.peer is None else without_debris(self.peer.cuts, self.peer.state.position)
         return self._links.status(slot, position, self.totals.link_work.get(slot, 0.0))

@@ -2,7 +2,7 @@
 
 from cotouch.peer._codec import Decoder, Encoder
 from cotouch.peer._content import FULL, MOST_HOLD, ROUNDED, Codec, Content, ContentForm
-from cotouch.peer._cuts import CutSet
+from cotouch.peer._cuts import CutSet, without_debris
 from cotouch.peer._guard import LinkGuard
 from cotouch.peer._guard_ledger import GuardEvent, GuardLedger
 from cotouch.peer._law_link import CopyMemory, LawLink
@@ -46,4 +46,5 @@ __all__ = [
     "Peer",
     "Sample",
     "StepReport",
+    "without_debris",
 ]

@@ -4,7 +4,7 @@ from typing import final
 
 import numpy as np
 
-from cotouch.arrays import Float, Int
+from cotouch.arrays import Bool, Float, Int
 from cotouch.errors import NetworkError
 from cotouch.mechanics import (
     BodyForce,
@@ -56,6 +56,15 @@ class CutSet:
         self._state, self._tools, self._user, self._lanes = state, tools, user, model.lanes
         self._heard, self._told = np.zeros_like(self.by), np.zeros_like(self.by)
 
+    @property
+    def debris(self) -> Bool:
+        """Which rows have lost their last element, (rows,)."""
+        bonds = self._cutting.bonds
+        rows = bonds.debris.size
+        at_row = np.repeat(np.arange(rows), np.diff(bonds.hung))
+        whole = np.bincount(at_row, weights=self.by[bonds.hangs] == 0, minlength=rows)
+        return np.logical_and(np.diff(bonds.hung) > 0, whole == 0.0)
+
     def hear(self, by: Int) -> None:
         """Takes over, after the next step, what others decided.
 
@@ -98,3 +107,18 @@ class CutSet:
             self.own |= (wanted != 0) & (self._told == 0) & (self.by == 0)
             self.new = tuple(np.flatnonzero((wanted != 0) & (self.by == 0)).tolist())
             self.by = np.where(self.by == 0, wanted, self.by).astype(np.int32)
+
+
+def without_debris(cuts: CutSet | None, position: Float) -> Float:
+    """Where a copy is, but for what is no longer part of the object: nodes that have lost their last element.
+
+    Args:
+        cuts: what the copy has lost; None: it cannot be cut.
+        position: displacements of the rows, (rows, width) [m].
+
+    Returns:
+        Likewise, NaN in rows of debris.
+    """
+    if cuts is None or not cuts.by.any():
+        return position
+    return np.where(cuts.debris[:, None], np.nan, position)

@@ -20,6 +20,7 @@ from cotouch.recording._jammed import Jammed, before_loss, jammed_of
 from cotouch.recording._outside import Outside, cut_steps, outside_of, scale_of, sunk_of
 from cotouch.recording._recording import Recording, Setup
 from cotouch.recording._said import told
+from cotouch.recording._stopped import before_stop, stopped_rows
 
 # Of a stamp that went through two clocks' numbers and back [s].
 _SAME_STAMP = 1e-6
@@ -193,11 +194,23 @@ class _Steps:
         self.copy_scale = 1.0 / setup.copies
         at = recording.states["state_row"][chosen]
         self.stiff, self.outside, self.potential = scale, outside, np.zeros(T.size)
-        moving = self.v if jammed is None else before_loss(self.v, jammed.rows(recording, at))
-        self.start, self.unclosed, self.closure = 2.0 * self.middle - x, moving, np.zeros(T.size)
         material = body.material
         when = cut_steps(recording) if material is not None else np.zeros(0)
         index, self.booked = recording.columns["index"][at], recording.columns["cut"][at]
+        stopped = None if material is None else stopped_rows(material.body, when, index)
+        moving, self.stopped = self.v, np.zeros(T.size)
+        if stopped is not None:
+            moving = before_stop(recording, chosen, self.v, self.mean, stopped, self.copy_scale)
+            self.stopped = 0.5 * self.copy_scale * (body.form(body.mass, moving) - body.form(body.mass, self.v))
+        if jammed is not None:
+            about = jammed.rows(recording, at)
+            if stopped is not None:  # of what then lost half of its motion and stopped nothing can be said
+                moving = np.where(
+                    (stopped[:, :, None] & ~np.isnan(about)).any(axis=(1, 2), keepdims=True), np.nan, moving
+                )
+                self.stopped[np.isnan(moving).any(axis=(1, 2))] = np.nan
+            moving = before_loss(moving, about)
+        self.start, self.unclosed, self.closure = 2.0 * self.middle - x, moving, np.zeros(T.size)
         self.inner = None if material is None else material.energies(self.start, x, self.mean, index=index, when=when)
         if material is not None:
             self.unclosed, self.closure = reopened(recording, at, moving, self.copy_scale)
@@ -244,7 +257,8 @@ class _Steps:
         gone = np.zeros(T.size) if self.inner is None else self.stiff * self.inner[3]
         if self.outside is not None:
             gone = gone + self.stiff * self.outside.cut
-            gone = np.where(np.isnan(gone), self.booked, gone)
+        gone = gone + self.stopped
+        gone = np.where(np.isnan(gone), self.booked, gone)
         return T * own + rubbed, T * local, T * extra, gone
 
     def supplied(self, force: Float, booked: Float) -> Float:
