@@ -65,7 +65,7 @@ def contact_parts(
                 *(damping, damping, damping, T, T, True, T, 1, lanes),
             ),
         ),
-        (take, (surface, touch.fit, tools, 0, state.position, state.memory, lanes)),
+        (take, (surface, touch.fit, tools, 0, state.position, state.memory, op.debris, lanes)),
         (look_around, (surface, touch, tools, 0, T, state.position, lanes)),
         (move, (op, state, links, T, 1, work, damping, lanes)),
         (assemble, (op, state, links, ports, damping, damping, T, work, lanes)),
