@@ -87,7 +87,7 @@ def play(bodies: list[dict[str, Any]], kinds: list[Any], T: float, seed: int) ->
 @pytest.mark.parametrize(
     ("bodies", "kinds", "T", "seed"),
     [
-        ("solid", [ball], 0.02, 0),
+        ("solid", [ball], 0.04, 0),
         ("solid", [ball, grasp], 0.02, 3),
         ("die cells", [ball], 0.04, 4),
         ("die cells", [ball, grasp], 0.04, 5),

@@ -19,6 +19,7 @@ from cotouch.mechanics._state import (
     SHORTENED,
     WORLD_LOSS,
     WORLD_STORED,
+    Links,
     State,
     Workspace,
 )
@@ -60,6 +61,22 @@ def go_back(force: BodyForce, state: State, work: Workspace, lanes: tuple[int, .
     for i in range(state.position.shape[0]):
         store(state.position, i, load(work.ahead, i, lanes), lanes)
         store(state.velocity, i, load(work.pull, i, lanes), lanes)
+
+
+@part
+def stay(force: BodyForce, state: State, work: Workspace, lanes: tuple[int, ...]) -> None:
+    """Takes the copy back, to be weighed anew where it does not move."""
+    go_back(force, state, work, lanes)
+    for i in range(work.mean.shape[0]):
+        store(work.mean, i, splat(0.0, lanes), lanes)
+
+
+@part
+def with_links(work: float, links: Links, link_work: Float) -> float:
+    """Some work, and that of all links of a copy in the step [J]."""
+    for link in range(links.slot.shape[0]):
+        work += at(link_work, link)
+    return work
 
 
 @part
@@ -161,9 +178,21 @@ def weigh(
 
 
 @inner
+def is_rounded(weighed: Float, over: float, share: float) -> bool:
+    """Whether what the step that was weighed leaves over [J], of a copy of some share, may be rounding."""
+    return abs(over) <= share * max(weighed[NOISE], weighed[ROUGH])
+
+
+@inner
+def is_rough(weighed: Float) -> bool:
+    """Whether the step that was weighed moves by rounding of places alone, which tells nothing of forces."""
+    return weighed[HAVE] <= weighed[ROUGH]
+
+
+@inner
 def resting(weighed: Float) -> bool:
     """Whether the step that was weighed moves by nothing but the rounding of places, which is no reason to move."""
-    return weighed[HAVE] <= weighed[ROUGH] and abs(weighed[TARGET] - weighed[HAVE]) <= weighed[ROUGH]
+    return is_rough(weighed) and abs(weighed[TARGET] - weighed[HAVE]) <= weighed[ROUGH]
 
 
 @inner

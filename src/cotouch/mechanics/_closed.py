@@ -27,6 +27,7 @@ from cotouch.mechanics._balance import (
     resting,
     square_of,
     weigh,
+    with_links,
 )
 from cotouch.mechanics._balance_groups import OTHERS, resting_parts, start_attempts
 from cotouch.mechanics._balance_length import (
@@ -168,10 +169,9 @@ def closed_step(
     while True:
         keep_place(state, work, lanes)
         rest_debris(op, work.mean, lanes)
-        gain = ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
+        ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
         move(op, state, links, T, sample, work, link_work, lanes)
-        for link in range(links.slot.shape[0]):
-            gain += at(link_work, link)
+        gain = with_links(ledger[SUPPLIED], links, link_work)
         weigh(op, force, state, local_damping, extra_damping, T, gain, work, ledger, lanes)
         passed = work.weighed[PASSED] != 0.0
         if (not passed or force.parts is not None) and close_all(

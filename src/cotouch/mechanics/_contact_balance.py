@@ -9,33 +9,30 @@ from typing import Any
 
 from cotouch.arrays import Float
 from cotouch.mechanics._balance import (
-    ABOUT,
     FIXED,
-    HAVE,
     LEAST,
     MOST,
-    NOISE,
-    RIGID,
-    ROUGH,
     TARGET,
     go_back,
+    is_rough,
+    is_rounded,
     keep_place,
     resting,
-    weigh,
+    stay,
 )
 from cotouch.mechanics._balance_groups import LAST_OF_ALL, start_attempts
 from cotouch.mechanics._balance_length import ask_length, free_groups, shortest, stretch
-from cotouch.mechanics._balance_parts import close_all, judge
+from cotouch.mechanics._balance_parts import close_all
 from cotouch.mechanics._contact_catch import room
 from cotouch.mechanics._contact_centre import go_about, is_free, join_crossed
 from cotouch.mechanics._contact_others import free_others, shorten_others
-from cotouch.mechanics._contact_outside import soften
-from cotouch.mechanics._contact_over import ROUNDING, driven, leave, moved_by, over_of, passes, went_astray
+from cotouch.mechanics._contact_outside import soften_all
+from cotouch.mechanics._contact_over import ROUNDING, driven, holds, leave, moved_by, over_of, passes, went_astray
 from cotouch.mechanics._contact_press import unsure
 from cotouch.mechanics._contact_search import search_touched, seekable
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
+from cotouch.mechanics._contact_weigh import EASY, is_closed, next_scale, weigh_way
 from cotouch.mechanics._contact_work import ContactWork
-from cotouch.mechanics._debris import rest_debris
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._operator import Operator
@@ -43,10 +40,8 @@ from cotouch.mechanics._state import SHORTENED, SUPPLIED, Links, Ports, State, W
 from cotouch.mechanics._step import book_energies, move, port_work
 from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import GRASP, TOUCH, TOUCH_LOSS, TOUCHED, Tools
-from cotouch.mechanics._vector import at, load, splat, store, total
+from cotouch.mechanics._vector import load, splat, store, total
 
-# What the end velocity may make up for, as a share of its energy, where tools touch: a scale does the rest.
-_EASY = 0.015
 # Of the work between tools and a linear body in a step, so much may be left to the next.
 _LEFT = 1e-6
 # How often a scale near 1 is sought that makes up for what the looks missed; how often the way is shortened then, by
@@ -216,17 +211,7 @@ def balanced(
             else:
                 stretch(force.parts, work.mean, scale / have if scale > 0.0 else 0.0, lanes)
             have, touch_ledger[TOUCHED] = scale, over
-            rest_debris(op, work.mean, lanes)
-            ledger[SUPPLIED] = port_work(op, state, ports, T, work.mean, lanes)
-            move(op, state, links, T, sample, work, link_work, lanes)
-            gain = ledger[SUPPLIED] + over
-            for link in range(links.slot.shape[0]):
-                gain += at(link_work, link)
-            weigh(op, force, state, local_damping, extra_damping, T, gain, work, ledger, lanes)
-            weighed = work.weighed
-            if weighed[NOISE] >= 0.0:  # else energies overflowed, and so may have what tools did
-                weighed[NOISE] += noise / op.copy_scale
-            over, square, passed, others = judge(
+            over, noise, square, passed, others = weigh_way(
                 op,
                 force,
                 state,
@@ -235,26 +220,21 @@ def balanced(
                 local_damping,
                 extra_damping,
                 T,
+                sample,
                 pushed,
-                over / op.copy_scale,
+                over,
+                noise,
                 shorter,
                 work,
+                link_work,
+                ledger,
                 lanes,
             )
-            over, noise = op.copy_scale * over, op.copy_scale * weighed[NOISE]
-            meets = touches
-            for t in range(tools.mode.shape[0]):  # who comes in, or out, after all that looks see of the step
-                meets = meets or touch.stored[t] > 0.0 or tools.stored[t] > 0.0
-            # The body closes what that holds only where neither a length nor a search does.
+            weighed = work.weighed
+            meets = touches or holds(touch, tools)  # or comes in, or out, after all that looks see of the step
+            rounded, hardly = is_rounded(weighed, over, op.copy_scale), is_rough(weighed)
             easy = touches or (meets and (seeks or searches > 0))
-            least, greatest = (1.0 - _EASY, 1.0 + _EASY) if easy else (LEAST, MOST)
-            rounded = abs(over) <= op.copy_scale * max(weighed[NOISE], weighed[ROUGH])
-            hardly = weighed[HAVE] <= weighed[ROUGH]  # by the rounding of places, which tells nothing of forces
-            # Who moves as a whole alone could make up for something only by that.
-            whole = central and weighed[ABOUT] <= RIGID * weighed[HAVE]
-            fine = abs(over) <= noise or (least <= square <= greatest and (seeks or over < 0.0) and not whole)
-            fine = fine or (rounded and square >= 0.0)  # forces and energy do not disagree
-            fine = fine and not passed
+            fine = not passed and is_closed(weighed, over, noise, square, easy, rounded, seeks, central)
             seeks = seeks and not passed
             if others:  # bodies that no tool touches
                 shorten_others(op, force, state, links, ports, local_damping, extra_damping, T, shorter, work, lanes)
@@ -264,9 +244,7 @@ def balanced(
                 weighed
             ):  # the body stays, and its tools go on
                 still = True
-                go_back(force, state, work, lanes)
-                for i in range(work.mean.shape[0]):
-                    store(work.mean, i, splat(0.0, lanes), lanes)
+                stay(force, state, work, lanes)
                 continue
         if central:
             crossed = join_crossed(surface, tools, touch, force, T)
@@ -274,7 +252,7 @@ def balanced(
             ends = not crossed and (fine or over >= -noise or halves > most_halves)
             if force is not None and ends and frees:  # at most once
                 frees = False
-                if free_others(
+                freed = free_others(
                     op,
                     force,
                     force.parts,
@@ -289,10 +267,11 @@ def balanced(
                     T,
                     work,
                     lanes,
-                ):
+                )
+                if freed:
                     continue
         # What tools do not touch may be closed by more, but not where a search would close it by less.
-        sure = fine and (touches or searches == 0 or rounded or abs(square - 1.0) <= _EASY)
+        sure = fine and (touches or searches == 0 or rounded or abs(square - 1.0) <= EASY)
         if sure and not (goes > 1.0 and passes(surface, touch, tools, scale * T)):
             break
         begins_anew = False
@@ -300,10 +279,8 @@ def balanced(
             foretells = False
             continue
         if seeks:
-            if tries > 0:
-                slope = (over - last_over) / (scale - last)
+            slope, following = next_scale(scale, over, last, last_over, slope, aim, tries)
             tries, last, last_over = tries + 1, scale, over
-            following = min(max(scale - (over - aim) / slope, LEAST), MOST) if slope < 0.0 else scale
             seeks = not fine and tries <= _TRIES and following != scale
             if seeks and tries == 1 and not central:  # about a centre, tools go as that does as well
                 foretells = aim > 0.0 and abs(following - scale) * unsure(touch, tools, T) <= 0.5 * aim
@@ -344,9 +321,8 @@ def balanced(
             halves, told = halves + 1, told or not (rounded or hardly)
             shrinks = min(16.0 * shrinks, 0.5)
             scale = (1.0 - shrinks) * scale if halves < most_halves else 0.0
-            for t in range(tools.mode.shape[0] if force is None and scale == 0.0 else 0):
-                if tools.mode[t] == TOUCH and tools.inside[t] == 0:
-                    soften(law, surface, touch, tools, t)
+            if force is None and scale == 0.0:
+                soften_all(law, surface, touch, tools)
         if force is not None:
             go_back(force, state, work, lanes)
     if fine and force is None and over > noise and leave(touch, tools, over):

@@ -90,6 +90,15 @@ def driven(touch: ContactWork, tools: Tools) -> float:
 
 
 @part
+def holds(touch: ContactWork, tools: Tools) -> bool:
+    """Whether any contact holds energy before the step or after it."""
+    held = False
+    for t in range(tools.mode.shape[0]):
+        held = held or touch.stored[t] > 0.0 or tools.stored[t] > 0.0
+    return held
+
+
+@part
 def moved_by(op: Operator, touch: ContactWork, T: float, work: Workspace, lanes: tuple[int, ...]) -> float:
     """Power that inertia asks for, of a body and its tools [W]."""
     power = splat(0.0, lanes)
