@@ -234,7 +234,7 @@ class TestRows:
             if name not in {"copy_scale", "firmness", "split"}:
                 assert array.flags.c_contiguous
                 assert array.flags.writeable
-                assert array.dtype == (np.int32 if name in {"pointer", "column", "gone"} else np.float64)
+                assert array.dtype == (np.int32 if name in {"pointer", "column", "gone", "debris"} else np.float64)
 
 
 class TestWeights:
