@@ -1,6 +1,7 @@
 """Contact by a law on bodies that turn, bend far and are heavy: one balance of both, and what it must feel like."""
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,7 +12,6 @@ from cotouch.body import body_from_tetrahedra
 from cotouch.mechanics import (
     BETA,
     CLOSURE_ALARM,
-    CONTACT_LAWS,
     GRASP,
     ITERATIONS,
     KINETIC,
@@ -19,6 +19,8 @@ from cotouch.mechanics import (
     TOUCH_LOSS,
     TOUCH_STORED,
     Stiffening,
+    kernel,
+    press,
     press_skin,
 )
 
@@ -161,6 +163,12 @@ def test_a_grasp_that_pulls_within_long_steps_makes_no_energy() -> None:
         copy.step(0.04)
     assert copy.residual <= 5e-15 * copy.in_play
     assert copy.in_play < 100.0
+
+
+@kernel
+def at_depth(law: Any, stiffness: float, radius: float, depth: float) -> tuple[float, float, float]:
+    """A law for tests."""
+    return press(law, stiffness, radius, depth)
 
 
 LONG = (0.01, 0.02, 0.03, 0.04)
@@ -328,7 +336,7 @@ def test_a_turned_floating_flat_pushes_as_the_closed_form_says(turned: float) ->
     level = top[(beside < 0.012) & (body.rest[:, 2] > middle[2])].mean()
     assert skin.max() < 0.006
     z = float((copy.tools.place[0, :3] - middle) @ normal) - level
-    psi = CONTACT_LAWS[Stiffening](Stiffening(), 1000.0, radius, (radius**2 - z**2) / (2.0 * radius))[0]
+    psi = at_depth(Stiffening(), 1000.0, radius, (radius**2 - z**2) / (2.0 * radius))[0]
     assert copy.force @ normal == pytest.approx(2.0 * np.pi * z * psi, rel=2e-3)
     assert copy.ledger[KINETIC] <= 1e-6 * copy.energy
     assert copy.residual <= 5e-15 * copy.in_play
