@@ -282,7 +282,7 @@ def test_a_session_that_touches_by_a_law_keeps_an_exact_ledger(tmp_path: Path) -
     result = audit(recordings)
     assert result.holds, result.verdict
     for recording, ledger in zip(recordings, result.users, strict=True):
-        assert float(recording.columns["touch_stored"].max()) > 1e-6
+        assert float(np.abs(recording.columns["touch_stored"]).max()) > 1e-6  # a well holds less than nothing
         assert float(recording.columns["touch_loss"].min()) >= 0.0
         assert abs(ledger.residual) < 1e-12
     columns = dict(recordings[0].columns)  # a contact that gave more than it had
