@@ -240,10 +240,8 @@ def balanced(
                 shorten_others(op, force, state, links, ports, local_damping, extra_damping, T, shorter, work, lanes)
                 shorter += 1
                 continue
-            if not (fine or passed or meets or still or central) and resting(
-                weighed
-            ):  # the body stays, and its tools go on
-                still = True
+            if not (fine or passed or meets or still or central) and resting(weighed):
+                still = True  # the body stays, and its tools go on
                 stay(force, state, work, lanes)
                 continue
         if central:

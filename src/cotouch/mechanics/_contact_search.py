@@ -62,7 +62,28 @@ def search_touched(
     cap: int,
     lanes: tuple[int, ...],
 ) -> None:
-    """Seeks motions of body and tools that miss none of the forces where they lead."""
+    """Seeks motions of body and tools that miss none of the forces where they lead.
+
+    Args:
+        law: of the contact.
+        op: the body.
+        force: what resists inside it.
+        state: of the copy.
+        links: the neighbours' samples.
+        ports: what else holds the copy.
+        surface: the skin.
+        tools: the proxies.
+        local_damping: B_i, (weights,).
+        extra_damping: B_e, (weights,).
+        T: length of the step [s].
+        enough: which share of the motion may be missed.
+        work: scratch; `mean` gets the motion of the body that misses least.
+        touch: scratch; gets that of the tools, and what contacts do by both.
+        ledger: of the step; ITERATIONS is added to.
+        tolerance: of the solver.
+        cap: on its iterations.
+        lanes: fixes the width of a row.
+    """
     count = tools.mode.shape[0]
     sought = Sought(touch.inertia, touch.mean, touch.lacks, touch.kept)
     firm = touch.missed

@@ -103,6 +103,7 @@ def reach_of(surface: Surface, tools: Tools, t: int) -> float:
 
 @part
 def length_of(rows: Float, row: int) -> float:
+    """Length of the vector in a row, in its unit."""
     return math.sqrt(rows[row, 0] ** 2 + rows[row, 1] ** 2 + rows[row, 2] ** 2)
 
 
