@@ -7,7 +7,7 @@ import pytest
 
 from cotouch.errors import BodyError, ScenarioError
 from cotouch.scenario import Scenario
-from cotouch.simulation import animation, dataset, prepare, run_peers, run_prepared, simulate
+from cotouch.simulation import animation, dataset, discrepancy, prepare, run_peers, run_prepared, simulate
 
 DELAY = 0.04
 RUN: dict[str, Any] = {
@@ -106,7 +106,8 @@ def test_batch_and_peers_cut_alike_to_the_bit(ran: Any) -> None:
         assert max(abs(report.residual) for report in told.reports[user]) < 1e-14
 
 
-def test_nodes_that_lost_their_last_element_rest_and_no_hand_feels_them() -> None:
+@pytest.fixture(scope="module")
+def parted() -> Any:
     """Under gravity: a thick blade takes three layers of cubes, where one user's hand and another's grasp hold on."""
     way = [[0, 0, 0, 0], [0.1, 0, 0, 0.01]]
     grasp = {"user": 2, "kind": "grasp", "at": [0.04, 0.02, 0.01], "radius": 0.004}
@@ -118,11 +119,16 @@ def test_nodes_that_lost_their_last_element_rest_and_no_hand_feels_them() -> Non
                 {**RUN["tools"][0], "thickness": 0.025},
                 {**grasp, "hand": {"path": way, "stiffness": 500, "damping": 20}},
             ],
-            record={"nodes": "all"},
+            record={"nodes": "all", "frames": 100},
         )
     )
     outcome = run_prepared(prepared)
-    run, material = dataset(prepared, outcome), prepared.body.material
+    return prepared, outcome, dataset(prepared, outcome)
+
+
+def test_nodes_that_lost_their_last_element_rest_and_no_hand_feels_them(parted: Any) -> None:
+    prepared, outcome, run = parted
+    material = prepared.body.material
     assert material is not None
     assert run.attrs["energy_residual"] < 1e-12
     assert run.attrs["passivity_margin"] >= -1e-12
@@ -144,6 +150,32 @@ def test_nodes_that_lost_their_last_element_rest_and_no_hand_feels_them() -> Non
         assert np.array_equal(told.position[user][-1], outcome.position[user])
         assert sum(report.cut for report in told.reports[user]) == pytest.approx(float(run["cut"].values[user, -1]))
         assert max(abs(report.residual) for report in told.reports[user]) < 1e-14
+        assert np.array_equal(run["debris_time"].values[user], np.where(debris, last, np.nan), equal_nan=True)
+
+
+def test_copies_are_not_apart_where_debris_lies(parted: Any) -> None:
+    """It lies where each copy happened to be, which is nobody's concern; while copies differ, the others count."""
+    prepared, _, run = parted
+    place, since = run["position"].values, run["debris_time"].values
+    assert np.isfinite(since).any(axis=1).all()
+    assert np.ptp(np.where(np.isfinite(since), since, 0.0), axis=0).max() > 0.01  # the copies differ for a while
+    expected: list[float] = []
+    for k, now in enumerate(run["tick_time"].values):
+        for node in range(place.shape[2]):
+            those = [user for user in range(3) if not now >= since[user, node]]
+            mean = sum(place[user, k, node] for user in those) / max(len(those), 1)
+            expected += [float(np.linalg.norm(place[user, k, node] - mean)) for user in those]
+    told = discrepancy(run)
+    assert told["max"] == pytest.approx(max(expected), rel=1e-12)
+    assert told["rms"] == pytest.approx(float(np.sqrt(np.mean(np.square(expected)))), rel=1e-9)
+    end = place[:, -1]
+    debris = np.isfinite(since).all(axis=0)
+    lies, goes = (
+        float(np.linalg.norm(end[:, which] - end[:, which].mean(axis=0), axis=-1).max()) for which in (debris, ~debris)
+    )
+    assert lies > 2.0 * goes
+    shown = animation(run, prepared.body).series[0].values
+    assert shown[-1].max() == pytest.approx(goes, rel=0.05)
 
 
 def test_what_was_cut_away_is_not_touched(ran: Any) -> None:

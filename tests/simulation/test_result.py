@@ -38,7 +38,7 @@ def run() -> xr.Dataset:
 # Only bodies with a closed step have these.
 _CLOSED = ("closure", "closure_factor", "closure_alarms")
 _WORLD = ("world_force", "world_loss", "world_stored")
-_CUT = ("cut", "cut_by", "cut_elements", "cut_time")
+_CUT = ("cut", "cut_by", "cut_elements", "cut_time", "debris_time")
 
 
 def test_dimensions_and_units(run: xr.Dataset) -> None:

@@ -4,6 +4,7 @@ from cotouch.body._body import Body
 from cotouch.body._builders import MOST_NODES, GridModel, Ground, chain, lattice, point
 from cotouch.body._checks import Matrix, SumOfSquares
 from cotouch.body._closed_surface import closed_surface
+from cotouch.body._cut_away import cut_away
 from cotouch.body._cut_faces import with_faces
 from cotouch.body._cut_skin import FACES, CutSkin, cut_skin, drawn_skin
 from cotouch.body._eigenspaces import canonical
@@ -61,6 +62,7 @@ __all__ = [
     "canonical",
     "chain",
     "closed_surface",
+    "cut_away",
     "cut_skin",
     "drawn_parts",
     "drawn_skin",

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from cotouch.arrays import Bool, Float, Long
-from cotouch.body import Body
+from cotouch.body import Body, cut_away
 from cotouch.recording._closing import reopened
 
 if TYPE_CHECKING:
@@ -30,13 +30,7 @@ def stopped_rows(body: Body, when: Float, index: Float) -> Bool | None:
     steps = np.isin(index, when)
     if not steps.any():
         return None
-    last, first = np.full(body.nodes, -np.inf), 0
-    for own, node in [(part.body, part.first) for part in body.parts] or [(body, 0)]:
-        if own.cut_count and own.material is not None:
-            if not own.material.faces.size:  # faces open, and every element stays
-                np.maximum.at(last, own.material.elements + node, when[first : first + own.cut_count, None])
-            first += own.cut_count
-    last[last == -np.inf] = np.inf
+    last = cut_away(body, when)
     stopped = steps[:, None] & (last <= index[:, None])
     return stopped if stopped.any() else None
 

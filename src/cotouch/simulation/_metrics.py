@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Bool, Float
 from cotouch.body import Body
 from cotouch.device import PRESETS
 from cotouch.scenario import DEFAULT_RATE
@@ -111,15 +111,38 @@ def at_times(run: "xr.Dataset", variable: str, times: Float) -> Float:
     return np.stack(columns, axis=1)
 
 
+def distances(positions: Float, gone: Bool) -> Float:
+    """Distance of each copy of a node from the mean of those that are not debris.
+
+    Args:
+        positions: (times, users, nodes, axes) [m].
+        gone: which are debris, (times, users, nodes).
+
+    Returns:
+        Likewise [m]; NaN of debris.
+    """
+    there = ~gone[..., None]
+    count = np.maximum(there.sum(axis=1, keepdims=True), 1)
+    gap = positions - positions.sum(axis=1, keepdims=True, where=there) / count
+    return np.where(gone, np.nan, np.sqrt((gap**2).sum(axis=-1)))
+
+
 def discrepancy(run: "xr.Dataset") -> dict[str, float]:
     """How far the copies are apart: distance of a user's node from the mean over users [m].
+
+    A node counts in a copy until it has lost its last element there: debris lies wherever each copy happened to be.
 
     Returns:
         `rms`, `p99` and `max` over users, recorded nodes and network-wide records.
     """
-    positions = at_times(run, "position", run["tick_time"].values)
-    gap = positions - positions.mean(axis=1, keepdims=True)
-    distance = np.sqrt((gap**2).sum(axis=-1))
+    times = run["tick_time"].values
+    positions = at_times(run, "position", times)
+    gone = np.zeros(positions.shape[:-1], dtype=np.bool_)
+    if "debris_time" in run:
+        gone |= times[:, None, None] >= run["debris_time"].values
+    if gone.all():
+        return {"rms": 0.0, "p99": 0.0, "max": 0.0}
+    distance = distances(positions, gone)[~gone]
     return {
         "rms": float(np.sqrt((distance**2).mean())),
         "p99": float(np.quantile(distance, 0.99)),

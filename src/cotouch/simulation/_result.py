@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from cotouch.arrays import Array, Float
+from cotouch.body import cut_away
 from cotouch.errors import ScenarioError
 from cotouch.files import write_netcdf
 from cotouch.interrupt import interruptible
@@ -56,6 +57,7 @@ _UNITS = {
     "cut": ("J", "lost so far with the elements that were cut: what they held"),
     "cut_elements": ("1", "elements of the copy that were cut so far"),
     "cut_time": ("s", "when the copy lost the element; NaN: it is whole"),
+    "debris_time": ("s", "when the copy's node lost its last element, and came to rest; NaN: it has one, or never had"),
     "cut_by": ("1", "number of the user who decided to cut the element, from 1; 0: it is whole"),
     "link_work": ("J", "work of the link on its receiver so far"),
     "delay_work": ("J", "energy added to the link so far by the age of the samples; by a law: all that its link did"),
@@ -163,7 +165,11 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
             put(name, ("user", "step"), values, everyone)
         after, by = np.moveaxis(outcome.cuts, 1, 0)
         known = np.take_along_axis(timing.end, np.maximum(after.astype(np.int64) - 1, 0), axis=1)
-        put("cut_time", ("user", "element"), np.where(after > 0.0, known, np.nan))
+        when = np.where(after > 0.0, known, np.inf)
+        put("cut_time", ("user", "element"), np.where(np.isinf(when), np.nan, when))
+        alone = np.full((int(users), max(body.held_rest.shape[0], body.nodes)), np.inf)
+        alone[:, : body.nodes] = [cut_away(body, own) for own in when]
+        put("debris_time", ("user", "node"), np.where(np.isinf(alone), np.nan, alone)[:, prepared.nodes])
         put("cut_by", ("user", "element"), by.astype(np.int32))
     for name, values in zip(ledger, record.users, strict=False):
         put(name, ("user", "step"), values, everyone)

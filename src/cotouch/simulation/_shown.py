@@ -4,13 +4,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from cotouch.arrays import Array, Float, Long
-from cotouch.body import Body, CutSkin, cut_skin, drawn_parts, drawn_tools
+from cotouch.arrays import Array, Bool, Float, Long
+from cotouch.body import Body, CutSkin, cut_away, cut_skin, drawn_parts, drawn_tools
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Shape
 from cotouch.scenario import DrawnTexture, TextureTable, WorldTable
 from cotouch.simulation._animation import Animation, PortTracks, ToolTracks, UserSeries
-from cotouch.simulation._metrics import felt
+from cotouch.simulation._metrics import distances, felt
 from cotouch.simulation._run_tables import BodyEntry, RunTables, tables_of
 
 if TYPE_CHECKING:
@@ -61,8 +61,7 @@ def animation(run: "xr.Dataset", body: Body) -> Animation:
         )
     when = run["frame"].values[: frames.shape[0]].astype(np.float64)
     tables = tables_of(run)
-    shared = frames[:, :, : body.shared]
-    apart = np.linalg.norm(shared - shared.mean(axis=1, keepdims=True), axis=-1)
+    apart = distances(frames[:, :, : body.shared], _debris(run, body, when)[:, :, : body.shared])
     shape: dict[str, Any]
     faces = cut_skin(body) if "cut_time" in run else None
     if faces is not None:
@@ -85,11 +84,19 @@ def animation(run: "xr.Dataset", body: Body) -> Animation:
         tools=_tools(run, tables, when),
         ports=_ports(run, tables, when, frames, body),
         links=[(a - 1, b - 1) for a, b in tables["network"]["links"]],
-        series=[UserSeries(name="Discrepancy", unit="m", values=apart.max(axis=2))],
+        series=[UserSeries(name="Discrepancy", unit="m", values=np.fmax.reduce(apart, axis=2))],
         shapes=_shapes(tables.get("world", {})),
         texture=_texture(tables.get("contact", {})),
         **shape,
     )
+
+
+def _debris(run: "xr.Dataset", body: Body, when: Float) -> Bool:
+    """Which nodes of each copy have lost their last element, (frames, users, nodes)."""
+    if "cut_time" not in run:
+        return np.zeros((when.size, run.sizes["user"], body.nodes), dtype=np.bool_)
+    cut = np.nan_to_num(run["cut_time"].values, nan=np.inf)
+    return when[:, None, None] >= np.stack([cut_away(body, own) for own in cut])
 
 
 def _spans(run: "xr.Dataset", faces: CutSkin) -> Float:
