@@ -111,3 +111,40 @@ def test_the_balance_is_exact(solid: dict[str, Any], bodies: str, kinds: list[An
     assert run.attrs["energy_residual"] <= 1e-12
     assert np.isfinite(run["kinetic"].values).all()
     assert run["touching"].values.max() > 0.0
+
+
+@pytest.mark.parametrize(("soft", "T", "seed"), [("solid", 0.02, 10), ("solid", 0.01, 11), ("cells", 0.02, 15)])
+def test_what_holds_a_tool_back_is_told(solid: dict[str, Any], soft: str, T: float, seed: int) -> None:
+    """A small ball strikes: in the step that ends before it gets there, no contact pushes, yet 3 to 6 N turn it."""
+    rng = np.random.default_rng(seed)
+    rng.choice([0.01, 0.02])
+    at = [*(rng.uniform(0.0, 1.0, 2) * SIDES[:2]).tolist(), float(SIDES[2] + 0.003 + rng.uniform(0.001, 0.02))]
+    aside = rng.uniform(-0.02, 0.02, 2).tolist()
+    path = [[0, 0, 0, 0], [0.06, 0, 0, -0.03], [0.12, 0, 0, -0.03], [0.42, *aside, -0.03], [0.6, *aside, 0.02]]
+    mass = 0.06
+    tool = {
+        "user": 1,
+        "at": at,
+        "mass": mass,
+        "radius": 0.003,
+        "stiffness": 1700.0,
+        "friction": 0.9,
+        "damping": 1.0,
+        "hand": {"stiffness": 450.0, "damping": 1.2, "path": path},
+    }
+    run = simulate(
+        {
+            "network": ALONE,
+            "body": solid | {"young": 3e3, "rayleigh_stiffness": 1e-3}
+            if soft == "solid"
+            else CELLS | {"stiffness": 30.0},
+            "world": {"gravity": [0, 0, -9.81], "planes": [PLANE]},
+            "tools": [tool],
+            "steps": {"duration": 0.6, "period": T},
+        }
+    )
+    place, rate = run["tool_position"].values[0], run["tool_velocity"].values[0]
+    turned = 2.0 * mass / T * (np.diff(place, axis=0) / T - rate[:-1])
+    pushed = run["touch_force"].values[0, 1:] + run["drive_force"].values[0, 1:]
+    assert np.abs(turned - pushed).max() < 1e-10
+    assert np.abs(turned).max() > 1.0

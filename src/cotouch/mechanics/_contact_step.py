@@ -53,6 +53,8 @@ from cotouch.mechanics._world_lean import lean_world
 _LOOKS, _NEARLY = 12, 1e-3
 # How far a tool looks around beyond its radius, in radii and in ways of a step; below how many radii those are short.
 _MARGIN, _WAYS, _SLOW = 0.05, 3.0, 0.05
+# A force below this share of what made it is rounding.
+_ROUNDING = 1e-13
 
 
 @block
@@ -359,14 +361,25 @@ def _move_tool(touch: ContactWork, t: int) -> None:
 
 
 @part
+def _is_pushed(touch: ContactWork, t: int, sigma: float) -> bool:
+    """Whether a proxy goes otherwise than its drive alone has it, by more than rounding: what is held back does."""
+    left, size = 0.0, 0.0
+    for a in range(3):
+        goes, drive = touch.inertia[t] * sigma * touch.mean[t, a], touch.drive[t, a]
+        left, size = left + (goes - drive) ** 2, size + goes * goes + drive * drive
+    return left > _ROUNDING * _ROUNDING * size
+
+
+@part
 def _settle(touch: ContactWork, tools: Tools, T: float, sigma: float, touch_ledger: Float) -> None:
     """New places, velocities and energies of the proxies, and the forces on them."""
     for t in range(tools.mode.shape[0]):
         acted = touch.total[t] != 0.0 or touch.caught[t, 0] != 0.0 or tools.held[t] >= 0 or touch.well[t] != 0.0
+        acted = acted or _is_pushed(touch, t, sigma)
         for a in range(3):
             w = sigma * touch.mean[t, a]
             tools.touch_force[t, a] = touch.inertia[t] * w - touch.drive[t, a]
-            if not acted and sigma == 1.0:
+            if not acted:
                 tools.touch_force[t, a] = 0.0
             pay(tools, t, a, T, w, touch_ledger)
             book_drive(tools, t, a, T, w, touch_ledger)
