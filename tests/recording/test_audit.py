@@ -393,6 +393,10 @@ def recorded_world(scenario: Scenario, folder: Path) -> list[Path]:
 
     def recorded(peer: Peer, report: StepReport, now: float, T: float) -> None:
         recorders[peer.index].step(report, end=now, T=T, state=peer.state, tools=peer.tools)
+        if report.cut_elements and peer.cuts is not None:
+            cut = list(report.cut_elements)
+            by = peer.cuts.by[cut].tolist()
+            recorders[peer.index].event("cut", now, step=report.sample.index, elements=cut, by=by)
 
     world.run(recorded)
     for recorder in recorders:

@@ -182,6 +182,30 @@ def test_steps_begin_where_the_last_ended(honest: list[Recording], monkeypatch: 
         assert np.array_equal(start[1:], after[:-1])
 
 
+def test_who_loses_debris_in_such_a_step_is_not_accused(tmp_path: Path) -> None:
+    """What all moved like on the whole is not in the state then, as the debris has stopped."""
+    blade = {
+        "user": 2,
+        "kind": "blade",
+        "at": [-0.01, 0.03, 0.07],
+        "axis": [0.08, 0, 0],
+        "thickness": 0.05,
+        "hand": {"path": [[0, 0, 0, 0], [0.16, 0, 0, -0.07]], "stiffness": 500, "damping": 20},
+    }
+    scenario = Scenario.make(
+        network=PAIR,
+        steps={"duration": 0.16, "period": [0.008, 0.004]},
+        synchronisation={"law": "spring"},
+        tools=[*TOOLS, blade],
+        **BODIES["cells"],
+    )
+    recordings = [read_recording(path) for path in recorded_world(scenario, tmp_path)]
+    ann = recordings[0]
+    assert {event.fields["step"] for event in ann.events if event.kind == "cut"} & set(jammed(ann))
+    result = audit(recordings)
+    assert result.holds, result.verdict
+
+
 def test_it_is_exported(honest: list[Recording]) -> None:
     said = recordings_dataset(honest)["jammed"]
     assert said.attrs["units"] == "m/s"

@@ -7,6 +7,8 @@ import numpy as np
 from cotouch.arrays import Bool, Float, Long
 from cotouch.errors import RecordingError
 from cotouch.recording._columns import JAMMED
+from cotouch.recording._outside import cut_steps
+from cotouch.recording._stopped import stopped_rows
 
 if TYPE_CHECKING:
     from cotouch.recording._recording import Recording
@@ -42,7 +44,8 @@ def jammed_of(recording: "Recording") -> Jammed | None:
     """What a recording says of such steps; None: there was none.
 
     Where the state is recorded, only which bodies and tools lost motion is believed, and along which axes they cannot
-    go as a whole: about a freely chosen velocity, any could be made of any other.
+    go as a whole: about a freely chosen velocity, any could be made of any other. Where nodes lost their last element
+    in the same step, and stopped, how all moved on the whole before is not in the state, and is believed.
 
     Args:
         recording: of the copy.
@@ -61,10 +64,13 @@ def jammed_of(recording: "Recording") -> Jammed | None:
     about = np.array(told, dtype=np.float64)
     about[~lost] = np.nan
     rows = recording.states["state_row"]
+    stopped = _stopped(recording, rows)
     for setup, span in recording.setup_rows():
         masses = np.array(setup.tool_mass) if len(setup.tool_mass) == tools else np.zeros(tools)
         for chosen in np.flatnonzero((rows >= span.start) & (rows < span.stop) & lost[rows].any(axis=1)):
             k = int(rows[chosen])
+            if stopped is not None and (stopped[chosen] & lost[k, _part(recording)]).any():
+                continue
             momentum, mass = _whole(recording, int(chosen), lost[k, :bodies], setup.copies)
             if tools:
                 moving = masses * lost[k, bodies:]
@@ -82,6 +88,16 @@ def before_loss(after: Float, about: Float) -> Float:
         about: which velocity, likewise; NaN where none was.
     """
     return np.where(np.isnan(about), after, about + (after - about) / _KEPT)
+
+
+def _stopped(recording: "Recording", rows: Long) -> Bool | None:
+    """Which nodes each step whose state is recorded stopped, (states, nodes); None: none did."""
+    material = recording.header.body.material
+    return (
+        None
+        if material is None
+        else stopped_rows(material.body, cut_steps(recording), recording.columns["index"][rows])
+    )
 
 
 def _part(recording: "Recording") -> Long:
