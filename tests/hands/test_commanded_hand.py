@@ -19,6 +19,15 @@ damping = 2.0
 """
 
 
+STYLUS = """
+[[tools]]
+user = 1
+at = [0.0, 0.0, 0.2]
+axis = {axis}
+radius = 0.004
+"""
+
+
 TURNING = (
     '[body]\nkind = "lattice"\nshape = [4, 3, 3]\nspacing = 0.03\nmass = 0.5\nstiffness = 80\ndamping = 1\n'
     'model = "cells"\nground = "x-"\nground_stiffness = 80.0\n[world]\ngravity = [0.0, 0.0, -3.0]'
@@ -231,6 +240,18 @@ def test_a_ball_pushes_the_skin_and_lets_go() -> None:
     assert copy.moved(top)[2] == pytest.approx(0.0, abs=5e-4)
     assert copy.force() == pytest.approx(0.0)
     assert copy.worst < 1e-10
+
+
+def test_of_a_stylus_the_tip_is_shown_too() -> None:
+    axis = [0.02, 0.0, -0.01]
+    copy = Held(scenario("solid", STYLUS.format(axis=axis)))
+    copy.run(0.01)
+    fields = {name: np.zeros((2, 3)) for name in ("target", "place", "force", "edge")} | {"radius": np.zeros(2)}
+    fields |= {name: np.zeros(2, int) for name in ("mode", "node")}
+    copy.hand.show({**fields, "received": np.zeros((), int), "hands": np.zeros((), int)})
+    assert HAND_MODES[fields["mode"][0]] == "script"
+    assert fields["radius"][0] == pytest.approx(0.004)
+    assert fields["edge"][0] == pytest.approx(axis)
 
 
 def test_a_ball_that_is_put_into_the_body_begins_outside_and_pushes() -> None:

@@ -23,6 +23,7 @@ from cotouch.simulation import Animation, PortTracks, ToolTracks, UserSeries
 
 FRAMES = 40
 TIME = np.arange(FRAMES) / 60
+TIPS = [[0.0, 0.5, 0.0], [0.0, 0.0, 0.0]]
 TRIANGLE: dict[str, Any] = {
     "title": "A triangle",
     "users": ["Ann", "Ben"],
@@ -93,14 +94,14 @@ def test_everything_else_comes_back() -> None:
     values[3, 1] = np.nan
     shown = made(
         rest=np.ones((3, 3)),
-        tools=ToolTracks(owner=[1, 0], centre=tracks[0], radius=[0.1, 0.2], force=tracks[1]),
+        tools=ToolTracks(owner=[1, 0], centre=tracks[0], radius=[0.1, 0.2], force=tracks[1], tip=TIPS),
         ports=PortTracks(owner=[0, 0], place=tracks[2], force=tracks[3]),
         links=[(0, 1)],
         series=[UserSeries(name="Age", unit="s", values=values)],
     )
     header, arrays = unpacked(shown.page())
     assert (header["users"], header["links"]) == (["Ann", "Ben"], [[0, 1]])
-    assert header["tools"] == {"owner": [1, 0], "radius": [0.1, 0.2], "axis": [[0.0] * 3] * 2}
+    assert header["tools"] == {"owner": [1, 0], "radius": [0.1, 0.2], "axis": [[0.0] * 3] * 2, "tip": TIPS}
     assert header["ports"] == {"owner": [0, 0]}
     assert header["series"] == [{"name": "Force", "unit": "N"}, {"name": "Age", "unit": "s"}]
     assert np.array_equal(arrays["time"], TIME)
@@ -346,7 +347,7 @@ def test_no_such_folder(tmp_path: Path) -> None:
 # ---- in a browser
 
 
-def ball() -> Animation:
+def ball(tip: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Animation:
     """Ann's copy of a ball stays where it is, Ben's swells; both push with 1 to 3 N, Ann upwards, Ben to the right."""
     points, faces = sphere(3)
     points = 0.05 * points
@@ -363,7 +364,7 @@ def ball() -> Animation:
         vertices=places,
         triangles=faces,
         rest=points,
-        tools=ToolTracks(owner=[0, 1], centre=centre, radius=0.01, force=force),
+        tools=ToolTracks(owner=[0, 1], centre=centre, radius=0.01, force=force, tip=[tip, [0.0, 0.0, 0.0]]),
         links=[(0, 1)],
         series=[UserSeries(name="Discrepancy", unit="m", values=np.stack([swelling, swelling], 1) / 2)],
     )
@@ -497,6 +498,22 @@ def test_one_copy_alone(still: Opened) -> None:
     assert yellow(ben)
     names = still.page.locator("#labels .name").all_inner_texts()
     assert names == ["Ben"]
+
+
+def test_a_stylus_is_drawn_to_its_tip(running: Browser, tmp_path: Path) -> None:
+    """In Ann's colour, which is blue."""
+    seen: list[float] = []
+    for name, tip in (("ball", (0.0, 0.0, 0.0)), ("stylus", (0.0, 0.09, 0.0))):
+        opened = Opened(running, ball(tip).write(tmp_path / f"{name}.html"), **STILL).ready()
+        opened.page.keyboard.press("a")
+        opened.until("view", "alone")
+        picture = opened.picture()
+        x, y = (int(at) for at in opened.page.evaluate("window.cotouch.seen([0, 0.09, 0.09])"))
+        red, _, blue_there = picture[y - 2 : y + 3, x - 2 : x + 3].mean(axis=(0, 1))
+        seen.append(float(blue_there - red))
+        assert opened.complaints == []
+        opened.page.context.close()
+    assert seen[0] < 20.0 < 60.0 < seen[1]
 
 
 def test_side_by_side_shows_each_copy(still: Opened) -> None:

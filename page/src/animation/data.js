@@ -8,7 +8,7 @@
  * @property {number[]} low corner of the box around all vertices [m]
  * @property {number[]} step between levels [m]
  * @property {Record<string, Entry>} arrays
- * @property {{owner: number[], radius: number[], axis: number[][]}} tools of blades `axis` is from one end of the edge to the other
+ * @property {{owner: number[], radius: number[], axis: number[][], tip: number[][]}} tools of blades `axis` is from one end of the edge to the other, of styluses `tip` from one round end to the other
  * @property {{owner: number[]}} ports
  * @property {[number, number][]} links
  * @property {{name: string, unit: string}[]} series

@@ -180,7 +180,7 @@ export class Shown {
     const force = new Vector3().fromArray(touch.force, 3 * k);
     if (touch === this.touches[0]) this.blades.get(k)?.position.copy(place);
     const arrow = touch === this.touches[1] ? this.behind(touch.owner[k]!, place, force) : null;
-    hand.pose({ place, proxy: place, target: place, force, radius: touch.radius[k] ?? 0, edge: new Vector3(), arrow, pointed: false }, this.face);
+    hand.pose({ place, proxy: place, target: place, force, radius: touch.radius[k] ?? 0, edge: new Vector3(...(touch === this.touches[0] ? this.run.tools.tip[k]! : [])), arrow, pointed: false }, this.face);
   }
 
   /** Where the force comes in of a hand whose place is the handle of a rigid tool, within it; null: it is none, or nothing pushes. */
@@ -219,7 +219,7 @@ function cloudOf(run: Run, centre: Vector3, radius: number, metresPerNewton: num
       const least = [Infinity, Infinity, Infinity], most = [-Infinity, -Infinity, -Infinity];
       for (let i = 3 * k; i < touch.place.length; i += 3 * touch.owner.length)
         for (let axis = 0; axis < 3; axis++) {
-          const edge = touch === run.tools ? run.tools.axis[k]![axis]! : 0;
+          const edge = touch === run.tools ? run.tools.axis[k]![axis]! + run.tools.tip[k]![axis]! : 0;
           const at = touch.place[i + axis]!, tip = at + edge + metresPerNewton * touch.force[i + axis]!, r = touch.radius[k] ?? 0;
           least[axis] = Math.min(least[axis]!, at - r, tip);
           most[axis] = Math.max(most[axis]!, at + r, tip);

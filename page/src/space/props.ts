@@ -56,7 +56,7 @@ export interface HandPose {
   force: Vector3;
   /** Of the ball; 0 where the hand holds. */
   radius: number;
-  /** Of a blade, from its place to the other end; 0: there is none [m]. */
+  /** Of a blade, from its place to the other end, or of a stylus to its round tip; 0: it is neither [m]. */
   edge: Vector3;
   /** Where the force's arrow ends, outside of what is held from within; null: it begins at the place. */
   arrow: Vector3 | null;
@@ -82,6 +82,8 @@ export class HandProp {
   private readonly head: Mesh;
   private readonly mark: Mesh;
   private readonly blade: Mesh;
+  private readonly stem: Mesh;
+  private readonly end: Mesh;
   private readonly tip = new Vector3();
   private readonly neck = new Vector3();
 
@@ -120,6 +122,8 @@ export class HandProp {
     this.head = mesh(cone, this.skin);
     this.mark = mesh(ring, this.skin);
     this.blade = mesh(knife, this.skin);
+    this.stem = mesh(rod, this.glass);
+    this.end = mesh(ball, this.glass);
     this.group.visible = false;
   }
 
@@ -140,9 +144,15 @@ export class HandProp {
     this.proxy.geometry = hand.radius > 0 ? ball : sphere;
     this.proxy.position.copy(hand.proxy);
     this.proxy.scale.setScalar(hand.radius > 0 ? hand.radius : size * 0.042);
-    const cuts = hand.edge.lengthSq() > 0;
+    const reaches = hand.edge.lengthSq() > 0, cuts = reaches && hand.radius === 0;
     this.knot.visible = hand.radius === 0 && !cuts;
-    span(this.blade, hand.place, this.tip.addVectors(hand.place, hand.edge), size * 0.024);
+    this.tip.addVectors(hand.place, hand.edge);
+    span(this.blade, hand.place, this.tip, size * 0.024);
+    span(this.stem, hand.place, this.tip, hand.radius);
+    this.blade.visible = cuts;
+    this.stem.visible = this.end.visible = reaches && !cuts;
+    this.end.position.copy(this.tip);
+    this.end.scale.setScalar(hand.radius);
     this.knot.position.copy(hand.place);
     this.knot.scale.setScalar(size * 0.026);
     span(this.rope, hand.place, hand.proxy, thick);

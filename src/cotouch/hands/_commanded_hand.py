@@ -373,7 +373,7 @@ class CommandedHand:
                 tools.place[index, :3].tolist(),
                 (-tools.touch_force[index, :3]).tolist(),
                 0.0 if index in self._blades else float(tools.radius[index]),
-                edge=tools.axis[index, :3].tolist() if index in self._blades else (),
+                edge=tools.axis[index, :3].tolist(),
             )
             return
         if kind == "rigid":

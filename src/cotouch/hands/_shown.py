@@ -31,7 +31,7 @@ def write_hand(
         place: of what it holds or pushes with [m].
         force: of the hand on the object; empty: none [N].
         radius: of the ball that pushes; 0: it holds [m].
-        edge: of the blade, from its place to the other end; empty: it has none [m].
+        edge: of a blade, from its place to the other end, or of a stylus to its round tip; empty: it has none [m].
     """
     fields["mode"][k] = HAND_MODES.index(mode)
     fields["node"][k] = node

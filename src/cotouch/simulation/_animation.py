@@ -39,14 +39,15 @@ HTML: Final = (".html", ".htm")
 @final
 @dataclass(frozen=True, eq=False, kw_only=True)
 class ToolTracks:
-    """Spheres with which users touch the object.
+    """Spheres, styluses and blades with which users touch the object.
 
     Args:
         owner: index of each tool's user, (P,), from 0.
         centre: (F, P, 3) [m].
         radius: (P,) [m], > 0; or one for all.
         force: felt by the owner, (F, P, 3) [N].
-        axis: of blades, from the centre to the other end of the edge, (P, 3); 0 of spheres; or none [m].
+        axis: of blades, from the centre to the other end of the edge, (P, 3); 0 of others; or none [m].
+        tip: of styluses, from the centre to that of the round tip, (P, 3); 0 of others; or none [m].
 
     Raises:
         InputError: an array has the wrong shape or a number that is not finite.
@@ -57,6 +58,7 @@ class ToolTracks:
     radius: Float
     force: Float
     axis: Float
+    tip: Float
 
     def __init__(
         self,
@@ -66,6 +68,7 @@ class ToolTracks:
         radius: npt.ArrayLike,
         force: npt.ArrayLike,
         axis: npt.ArrayLike | None = None,
+        tip: npt.ArrayLike | None = None,
     ) -> None:
         who = indices_of("tool owners", owner, 1, InputError)
         size = numbers_of("tool radii", radius, InputError)
@@ -75,10 +78,16 @@ class ToolTracks:
         if size.size and size.min() <= 0.0:
             raise InputError(f"the radius of tool {int(size.argmin()) + 1} is {size.min():g} m; it must be positive")
         keep_frozen(self, owner=who, centre=track_of("tool centres", centre, who.size), radius=size)
-        edges = np.zeros((who.size, 3)) if axis is None else numbers_of("tool axes", axis, InputError)
-        if edges.shape != (who.size, 3):
-            raise InputError(f"tool axes are {size_of(edges)}; there are {who.size} tools, with 3 numbers each")
-        keep_frozen(self, force=track_of("tool forces", force, who.size), axis=edges)
+        keep_frozen(self, force=track_of("tool forces", force, who.size))
+        keep_frozen(self, axis=_ends("tool axes", axis, who.size), tip=_ends("tool tips", tip, who.size))
+
+
+def _ends(name: str, given: npt.ArrayLike | None, tools: int) -> Float:
+    """Where the other ends of tools are, (tools, 3) [m]."""
+    ends = np.zeros((tools, 3)) if given is None else numbers_of(name, given, InputError)
+    if ends.shape != (tools, 3):
+        raise InputError(f"{name} are {size_of(ends)}; there are {tools} tools, with 3 numbers each")
+    return ends
 
 
 @final
@@ -332,6 +341,7 @@ class Animation:
                 "owner": self.tools.owner.tolist(),
                 "radius": self.tools.radius.tolist(),
                 "axis": self.tools.axis.tolist(),
+                "tip": self.tools.tip.tolist(),
             },
             "ports": {"owner": self.ports.owner.tolist()},
             "links": self.links,

@@ -42,6 +42,7 @@ class ProxyEntry(_ToolEntry):
 
     kind: Literal["touch", "grasp"]
     radius: float
+    axis: list[float] | None
 
 
 class BladeEntry(_ToolEntry):

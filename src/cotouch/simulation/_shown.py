@@ -157,6 +157,7 @@ def _tools(run: "xr.Dataset", tables: RunTables, when: Float) -> ToolTracks | No
         centre=_at(run, owner, run["tool_position"].values, when),
         radius=[0.5 * tool["thickness"] if tool["kind"] == "blade" else tool["radius"] for tool in tools],
         axis=[tool["axis"] if tool["kind"] == "blade" else [0.0, 0.0, 0.0] for tool in tools],
+        tip=[[0.0, 0.0, 0.0] if tool["kind"] == "blade" else tool["axis"] or [0.0, 0.0, 0.0] for tool in tools],
         force=_at(run, owner, felt(run), when),
     )
 
