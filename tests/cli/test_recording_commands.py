@@ -5,10 +5,14 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 import xarray as xr
 from tests.cli.commands import cotouch, here
 from tests.recording.driven import Driven
+from tests.recording.test_audit import with_tools
+
+from cotouch.recording import read_recording
 
 
 @pytest.fixture(scope="module")
@@ -66,6 +70,14 @@ def test_replay_sums_up(files: list[Path]) -> None:
     assert (summary["user"], summary["name"], summary["steps"], summary["whole"]) == (1, "Ann", 250, True)
     assert summary["T_s"]["mean"] == pytest.approx(0.004)
     assert summary["events"] == {"setup": 1, "closed": 1}
+
+
+def test_replay_tells_what_hands_feel_of_tools(tmp_path: Path) -> None:
+    path = with_tools(tmp_path)[0]
+    pulled = np.linalg.norm(read_recording(path).columns["drive_force"].sum(axis=1), axis=-1)
+    assert json.loads(here("replay", path, "--json").stdout)["peak_force_n"] == pytest.approx(pulled.max())
+    (line, *_) = here("replay", path, "--speed", "1000", "--from", "0.2").stdout.splitlines()
+    assert "force 0 N" not in line
 
 
 def test_replay_in_a_terminal_shows_the_table(files: list[Path]) -> None:

@@ -92,11 +92,10 @@ def _now(recording: Recording, row: int) -> _Now:
     first = int(np.searchsorted(columns["end"], end - _WINDOW, side="right"))
     own = slice(first, row + 1)
     span = end - float(columns["end"][first] - columns["T"][first])
-    force = columns["force"][row]
     return {
         "rate": (row + 1 - first) / span,
         "T": float(columns["T"][row]),
-        "force": float(np.linalg.norm(force.sum(axis=0))) if force.size else 0.0,
+        "force": float(_forces(recording, slice(row, row + 1))[0]),
         "residual": float(np.abs(columns["residual"][own]).max()),
         "stored": sum(float(columns[name][row]) for name in ("kinetic", "elastic", "proxy", "touch_stored")),
         "links": [
@@ -109,6 +108,15 @@ def _now(recording: Recording, row: int) -> _Now:
             for entry, user in enumerate(recording.neighbours)
         ],
     }
+
+
+def _forces(recording: Recording, rows: slice) -> Float:
+    """Of the hands on the copy and on its proxies, as a whole, in some steps; what the live table shows [N]."""
+    columns = recording.columns
+    force = columns["force"][rows].sum(axis=1)
+    if "drive_force" in columns:
+        force = force + columns["drive_force"][rows].sum(axis=1)[:, : force.shape[1]]
+    return np.linalg.norm(force, axis=-1)
 
 
 def _state(code: int, age: float) -> str:
@@ -163,7 +171,7 @@ def _seconds(recording: Recording) -> float:
 
 def _summary(recording: Recording) -> dict[str, object]:
     columns = recording.columns
-    T, force = columns["T"], np.linalg.norm(columns["force"].sum(axis=1), axis=-1)
+    T, force = columns["T"], _forces(recording, slice(None))
     counts: dict[str, int] = {}
     for event in recording.events:
         counts[event.kind] = counts.get(event.kind, 0) + 1
