@@ -133,6 +133,20 @@ def test_a_rotation_costs_nothing(name: str) -> None:
     assert power <= 1e-20  # and no damper feels it
 
 
+@pytest.mark.parametrize("name", ["floating", "elastic floating"])
+def test_the_energy_of_what_is_squashed_follows_from_its_place(name: str) -> None:
+    """An audit works it out anew, from nowhere; a step looks for the frame from where it was."""
+    rest = made(name).rest
+    for angle in np.linspace(1e-3, 5e-3, 9):
+        copy, other = Alone(made(name)), Alone(made(name))
+        shear = np.array([[1.0, 0.7, 0.0], [0.0, 0.6, 0.5], [0.0, 0.0, 0.3]])
+        x = copy.rows(rest @ shear @ rotation((1.0, 1.0, 0.5), angle).T - rest)
+        rate = np.zeros_like(x)
+        energy(copy, copy.rows(rest @ shear - rest))
+        stepped, _ = energy_at(copy.force, copy.state.memory, x, x, rate, 1, copy.model.lanes)
+        assert stepped == pytest.approx(energy(other, x), rel=1e-13)
+
+
 @pytest.mark.parametrize("name", EVERY)
 def test_the_damper_takes_what_it_gives(name: str) -> None:
     """`rateᵀ B* rate` as booked is that of the force, and it acts on what is no rotation."""

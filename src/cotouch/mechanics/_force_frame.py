@@ -21,7 +21,7 @@ from cotouch.mechanics._matrix3 import (
     transposed_product,
     transposed_times,
 )
-from cotouch.mechanics._nearest import nearest
+from cotouch.mechanics._nearest import SWEEPS, nearest
 from cotouch.mechanics._vector import at, put
 from cotouch.passing import by_address
 
@@ -55,7 +55,8 @@ class Frame(NamedTuple):
     image: Float
 
 
-_SWEEPS = 6
+# Of a single rotation nothing need be left: audits work the energy out anew, also of a body that is squashed flat.
+_SWEEPS = 2 * SWEEPS
 
 
 @inner
