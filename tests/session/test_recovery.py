@@ -10,8 +10,8 @@ from tests.session.world import Person, World
 from cotouch.samples import PathLaw
 
 DELAY, RATE = 0.03, 100.0
-# What takes half of the rate is tried at twice of it. A rate is judged every hundred datagrams, and half of 100 Hz takes
-# 2 s for these: it would be back after 14 s, and the damping too, because budgets cover how long samples are apart.
+# What takes half of the rate is tried at twice of it. A rate is judged every hundred datagrams, which take 2 s at half
+# of 100 Hz: it would be back after 14 s, and the damping too, because budgets cover how long samples are apart.
 HALVED = {"jitter", "outage"}
 WINDOW = 2.0
 # One hand, which goes back and forth, and rests in between.
