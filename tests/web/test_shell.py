@@ -81,7 +81,7 @@ def test_a_scripted_hand_can_be_told(here: World) -> None:
         page.wait_for_function("mode => window.cotouch.store.state.members[2].hand === mode", arg=mode)
         assert card.get_by_role("radio", name=order).get_attribute("aria-checked") == "true"
     card.get_by_role("radio", name="Pull").click()
-    words(page, "#banner-aim", "where Cleo shall pull")
+    words(page, "#banner-aim", "where Cleo should pull")
     assert card.get_by_role("button", name="Pull forward").is_visible()
     # In one dimension there are two directions.
     assert card.locator(".directions button").count() == 2

@@ -1,4 +1,4 @@
-/*! cotouch animation; sources 11f11fd66a44b8689c2cc8edff544476ac8f7f3a7ccb063b597fce83f06abb79; with three.js:
+/*! cotouch animation; sources e5273683a1702ff14631df3e3c443a1a9a467af85fbfac6158b837b3d376c489; with three.js:
 The MIT License
 
 Copyright © 2010-2026 three.js authors
