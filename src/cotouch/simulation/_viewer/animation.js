@@ -1,4 +1,4 @@
-/*! cotouch animation; sources 11f11fd66a44b8689c2cc8edff544476ac8f7f3a7ccb063b597fce83f06abb79; with three.js:
+/*! cotouch animation; sources 13da4a31c52f52061f5f05b29c0f0912e03ffddb6ab735f5156fae601bf1f677; with three.js:
 The MIT License
 
 Copyright © 2010-2026 three.js authors
