@@ -60,16 +60,16 @@ AWAY: list[dict[str, Any]] = [
 ]
 
 
+def played(folder: Path, name: str, **changes: Any) -> list[Recording]:
+    """What is recorded of somebody who strikes at some bodies."""
+    usual = {"network": PAIR, "steps": {"duration": 0.16, "period": [0.008, 0.004]}, "tools": AWAY + TOOLS}
+    scenario = Scenario.make(synchronisation={"law": "spring"}, **{**usual, **BODIES[name], **changes})
+    return [read_recording(path) for path in recorded_world(scenario, folder)]
+
+
 @pytest.fixture(scope="module", params=list(BODIES))
 def honest(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> list[Recording]:
-    scenario = Scenario.make(
-        network=PAIR,
-        steps={"duration": 0.16, "period": [0.008, 0.004]},
-        synchronisation={"law": "spring"},
-        tools=AWAY + TOOLS,
-        **BODIES[request.param],
-    )
-    return [read_recording(path) for path in recorded_world(scenario, Path(tmp_path_factory.mktemp("jammed")))]
+    return played(Path(tmp_path_factory.mktemp("jammed")), request.param)
 
 
 def jammed(recording: Recording) -> list[int]:
@@ -109,6 +109,27 @@ def test_only_what_touches_loses_motion(honest: list[Recording], request: pytest
         block = int(np.prod(BLOCK["shape"]))
         for field in ("x", "v"):
             assert np.abs(states[field][:, block:]).max() < 1e-100
+
+
+def test_what_nothing_comes_near_to_goes_as_if_alone(
+    honest: list[Recording], request: pytest.FixtureRequest, tmp_path: Path
+) -> None:
+    """Where steps that are not jammed are not shortened either, which shortens the way of all tools."""
+    name = request.node.callspec.params["honest"]
+    if name in {"cells", "apart", "far apart"}:
+        alone = played(tmp_path, name, tools=AWAY)[0].columns["tool_place"]
+        assert honest[0].columns["tool_place"][:, : len(AWAY)] == pytest.approx(alone, abs=1e-12)
+
+
+def test_a_die_that_only_a_guess_had_the_block_meet_falls_freely(tmp_path: Path) -> None:
+    network = {"users": ["Ann"], "spring": [[0]], "delay": [[0]]}
+    steps = {"duration": 0.16, "period": 0.008}
+    ann = played(tmp_path, "touching", network=network, steps=steps, world={"gravity": [0.0, 0.0, -1.0]})[0]
+    assert len(jammed(ann)) == 1
+    time = np.cumsum(ann.columns["T"])[ann.states["state_row"]]
+    die = ann.header.body.field(ann.states["x"])[:, int(np.prod(BLOCK["shape"])) :]
+    assert np.abs(die[..., 2] + 0.5 * time[:, None] ** 2).max() <= 1e-14
+    assert np.abs(die[..., :2]).max() <= 1e-14
 
 
 def claimed(recording: Recording, name: str, change: Callable[[Any], Any], step: int) -> Recording:
