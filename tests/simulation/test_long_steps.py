@@ -111,3 +111,10 @@ def test_the_balance_is_exact(solid: dict[str, Any], bodies: str, kinds: list[An
     assert run.attrs["energy_residual"] <= 1e-12
     assert np.isfinite(run["kinetic"].values).all()
     assert run["touching"].values.max() > 0.0
+
+
+def test_a_body_that_no_tool_touches_and_that_goes_less_far_is_told_of() -> None:
+    """In the first step, in which nothing touches anything yet."""
+    run = play([DIE, CELLS], [ball], 0.04, 4)
+    assert run["touching"].values[0, 1] == 0.0
+    assert run["closure_alarms"].values[0, 1:3].tolist() == [1.0, 1.0]

@@ -1,4 +1,4 @@
-/*! cotouch animation; sources e5273683a1702ff14631df3e3c443a1a9a467af85fbfac6158b837b3d376c489; with three.js:
+/*! cotouch animation; sources d860611ae623989d0c255f2e6a9bfe136c17ba1db0c5a9b568ab355123805c85; with three.js:
 The MIT License
 
 Copyright © 2010-2026 three.js authors
