@@ -9,14 +9,16 @@ STAMP := .venv/.stamp
 setup: $(STAMP)
 
 # uv comes from PyPI into the environment itself, so nothing but Python is needed; the lock file decides the versions.
-# Unlike pip, uv leaves Python to be compiled at first import, and a first start takes three times as long.
+# Unlike pip, uv leaves Python to be compiled at first import, and a first start takes three times as long. It could
+# compile it, but all of it: a third is what other packages test and install themselves with.
 $(STAMP): pyproject.toml uv.lock
 	@command -v $(PYTHON) >/dev/null || { echo "cotouch needs Python 3.11: '$(PYTHON)' was not found; set PYTHON=/path/to/python3.11"; exit 2; }
 	@printf 'setting up, once, for about half a minute '; \
 	(while sleep 1; do printf .; done) & dots=$$!; trap 'kill $$dots; echo' EXIT; set -e; \
 	test -x $(BIN)/python || $(PYTHON) -m venv .venv; \
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check "uv>=0.7,<1"; \
-	$(BIN)/uv sync --quiet --frozen --compile-bytecode; \
+	$(BIN)/uv sync --quiet --frozen; \
+	$(BIN)/python -m compileall -q -j 0 -x '/(tests|pip|setuptools|pkg_resources)/' .venv/lib || :; \
 	touch $@
 
 demo: $(STAMP)

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from _pytest.runner import runtestprotocol
 from hypothesis import HealthCheck, settings
+from hypothesis.internal.conjecture import providers
 
 # There are few circles of references in what is loaded, and to look for them took a seventh of collecting.
 gc.set_threshold(50_000)
@@ -43,6 +44,9 @@ def pytest_configure(config: pytest.Config) -> None:
         suppress_health_check=[HealthCheck.too_slow],
     )
     settings.load_profile("cotouch")
+    # It would also try numbers out of the sources that happen to be imported: others after other tests.
+    none = providers.Constants()
+    providers._get_local_constants = lambda: none
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         # A shell starts what runs in its background so, and every process below inherits it: Ctrl-C would do nothing.
         signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -10,7 +10,7 @@ export interface Box {
 const GAP = 12;
 
 /** How much two boxes have in common [pixels²]. */
-function common(a: Box, b: Box): number {
+export function common(a: Box, b: Box): number {
   const width = Math.min(a.left + a.width, b.left + b.width) - Math.max(a.left, b.left);
   const height = Math.min(a.top + a.height, b.top + b.height) - Math.max(a.top, b.top);
   return Math.max(width, 0) * Math.max(height, 0);

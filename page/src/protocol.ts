@@ -125,6 +125,8 @@ export interface MemberStatus {
   damping: number;
   certificate: number | null;
   links: LinkStatus[];
+  /** The copy is farther away than samples can tell, so none are sent. */
+  unsent: boolean;
   /** Slot of another, linked or not, and the quickest way there and back [s]. */
   round_trips: [number, number][];
   alarms: number;

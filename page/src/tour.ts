@@ -2,7 +2,7 @@
 import { type Context, type Tab, can, keyOf, pairOf } from "./panels/context";
 import { attribute, button, h, icon, redraw, shown, text } from "./panels/dom";
 import type { Doable } from "./messages";
-import { type Box, placed } from "./placing";
+import { type Box, common, placed } from "./placing";
 import { condition, isCut } from "./panels/words";
 
 const KEY = "cotouch.tour";
@@ -243,11 +243,22 @@ export function tour(context: Context, root: HTMLElement): { open: () => void; i
       width: `${Math.min(box.right + pad, innerWidth - 2) - left}px`, height: `${Math.min(box.bottom + pad, innerHeight - 2) - top}px`,
     });
     const room: Box = { left: 8, top: 8, width: innerWidth - 16, height: innerHeight - 16 };
-    const { width, height } = card.getBoundingClientRect();
     // The line on top says how things stand, and is low: it stays free.
-    const at_ = placed({ width, height }, [box, ...seen(step.sees ?? AROUND), ...seen(".bar")], room);
-    card.style.left = `${at_.left}px`;
-    card.style.top = `${at_.top}px`;
+    const keep = [box, ...seen(step.sees ?? AROUND), ...seen(".bar")];
+    const fitted = (wide: boolean): Box => {
+      card.toggleAttribute("data-wide", wide);
+      const { width, height } = card.getBoundingClientRect();
+      return { ...placed({ width, height }, keep, room), width, height };
+    };
+    // Below the picture of a small window there is no room for a high card, and how high it is depends on the font.
+    let best = fitted(false);
+    if (common(best, box) > 0) {
+      const wide = fitted(true);
+      if (common(wide, box) < common(best, box)) best = wide;
+      else card.removeAttribute("data-wide");
+    }
+    card.style.left = `${best.left}px`;
+    card.style.top = `${best.top}px`;
   };
   const look = (): void => {
     const step = STEPS[at];

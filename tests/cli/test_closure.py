@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from tests.cli.commands import here
+from tests.cli.inside import tools_table
 from tests.cli.test_cli import SMALL
 
 from cotouch.scenario import Scenario
@@ -71,4 +72,21 @@ def test_cuts_are_counted(linear: tuple[Path, xr.Dataset], monkeypatch: pytest.M
     assert figures["cuts"] == {"elements": [7, 5], "of": 9, "energy_j": [2e-3, 3e-3]}
     assert [line.split("cut ")[1].strip() for line in text.splitlines() if " cut " in line] == [
         "7 of 9 elements, which held at most 0.003 J"
+    ]
+
+
+def test_a_blade_has_no_contacts() -> None:
+    """It touches and holds nothing; what it cut stands below."""
+    felt = {"user": 1, "device": None, "peak_force_n": 2.5, "mean_force_n": 0.0}
+    tools = [
+        {**felt, "kind": "blade", "most_contacts": 0, "contact_time_s": 0.0},
+        {**felt, "kind": "grasp", "most_contacts": 1, "contact_time_s": 0.5},
+        {**felt, "kind": "touch", "most_contacts": 3, "contact_time_s": 0.25},
+    ]
+    columns = tools_table(("Ann",), {"local_damping": [0.1], "tools": tools}).columns[2:]
+    rows = [tuple(row) for row in zip(*(column.cells for column in columns), strict=True)]
+    assert rows == [
+        ("blade", "2.5", "–", "–", "–"),
+        ("grasp", "2.5", "0", "1 node", "0.5"),
+        ("touch", "2.5", "0", "3", "0.25"),
     ]

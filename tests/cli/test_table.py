@@ -33,6 +33,12 @@ def test_the_law_its_energy_on_the_way_and_its_drag() -> None:
     assert not any("Law" in line for line in told([]))
 
 
+def test_who_is_too_far_away_to_be_told_of() -> None:
+    away = "user 2: the copy is farther away than samples can tell, so neighbours hear nothing of it"
+    assert away in told([said(0), said(1, unsent=True)])
+    assert not any("farther" in line for line in told([said(0), said(1)]))
+
+
 def test_what_is_sent_and_what_the_codec_saves() -> None:
     sent = {"slot": 1, "state": "coupled", "datagrams": 480.0, "size": 60e3}
     both = [said(0, links=[sent]), said(1, links=[sent | {"slot": 0, "size": 20e3}])]

@@ -3,6 +3,7 @@
 from cotouch.control import _gatekeeper as gatekeeper
 from cotouch.control._introducer import Introducer, answering
 from cotouch.control._invitation import _check as check_of
+from cotouch.control._line import Line
 from cotouch.control._listening import is_ours
 from cotouch.control._pairs import PairTags
 from cotouch.control._sockets import sockets, tend_links
@@ -11,6 +12,7 @@ from cotouch.control._zenoh_keys import sender_of, start_of
 
 __all__ = [
     "Introducer",
+    "Line",
     "PairTags",
     "answering",
     "check_of",

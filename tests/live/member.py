@@ -1,4 +1,4 @@
-"""A member as a process of its own: says something every 50 ms, and tells what it hears when it is asked.
+"""A member as a process of its own: says something every 50 ms, and tells who says the same when it is asked.
 
 python tests/live/member.py CONFIG.json      one line of JSON for every line on its input; ends with its input
 """
@@ -21,22 +21,25 @@ def main(path: str) -> None:
         listen = Endpoint.parse(listen)
     plane = ZenohControl(invitation, Identity(bytes.fromhex(given["secret"])), listen=listen)
     received: dict[str, float] = {}
+    beat = b""
     direct: list[str] = []
     print(json.dumps({"here": plane.identity.public.hex()}), flush=True)
     ends = time.monotonic() + given["seconds"]
     while time.monotonic() < ends:
-        plane.send("beat", b"")
+        plane.send("beat", beat)
         for message in plane.poll():
             if message.direct:
                 direct.append(message.body.decode())
-            received[message.sender.hex()] = time.monotonic()
+            elif message.body == beat:
+                received[message.sender.hex()] = time.monotonic()
         if not select.select([sys.stdin], [], [], 0.05)[0]:
             continue
         line = sys.stdin.readline()
         if not line:
             break
         asked = json.loads(line)
-        if asked.get("forget"):
+        if "beat" in asked:
+            beat = asked["beat"].encode()
             received.clear()
         if "to" in asked:
             plane.send("say", asked["say"].encode(), to=bytes.fromhex(asked["to"]))

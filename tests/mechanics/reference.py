@@ -53,8 +53,12 @@ def energies(scene: Scene, position: Array, velocity: Array) -> tuple[float, flo
     return 0.5 * v @ M @ v, 0.5 * x @ K @ x
 
 
-def held_energy(scene: Scene, position: Array) -> float:
-    """Energy of the springs to the neighbours' samples and to the ends of the ports, as they are at the start."""
+def held_energy(scene: Scene, position: Array, velocity: Array, T: float) -> float:
+    """In the springs to the neighbours' samples and to the ends of the ports at the start, and on its way to dampers.
+
+    The latter is what they would turn into heat if the body went on as it does. A light body soon moves as a stiff
+    damper's end does, and their force, of the small difference of two speeds, is known no better than that.
+    """
     d = scene.body.dimension
     weights = matrices(scene)[3]
     total = 0.0
@@ -63,7 +67,8 @@ def held_energy(scene: Scene, position: Array) -> float:
         total += 0.5 * spring.strength * gap @ weights[spring.weight] @ gap
     for port in scene.ports:
         gap = position[port.node] - np.broadcast_to(port.start, d)
-        total += 0.5 * port.stiffness * gap @ gap
+        slip = np.broadcast_to(np.asarray(port.end) - port.start, d) / T - velocity[port.node]
+        total += 0.5 * port.stiffness * gap @ gap + T * port.damping * slip @ slip
     return total
 
 

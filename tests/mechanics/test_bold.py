@@ -44,6 +44,19 @@ def test_bodies_that_do_not_touch_are_shortened_each_by_itself() -> None:
     assert np.abs(pair.position[: hangs.nodes]).max() > 0.05
 
 
+def test_who_is_beside_a_body_that_is_searched_for_goes_as_if_alone() -> None:
+    """Its own looks close its step; the one that hangs needs a search, from rest."""
+    gravity, T = (0.0, 0.0, -1000.0), 0.03
+    hangs, other = made("cells", ground="x-", hold=50.0), made("cells")
+    spin = np.cross([0.0, 0.0, 5.0], other.rest - other.rest.mean(axis=0))
+    both = together([Placed(body=hangs, name="one"), Placed(body=other, name="other", at=(0.0, 1.0, 0.0))])
+    pair = Alone(both.with_gravity(gravity), velocity=np.concatenate([0.0 * hangs.rest, spin]))
+    alone = Alone(other.with_gravity(gravity), velocity=spin)
+    for copy in (pair, alone):
+        copy.step(T)
+    assert pair.position[hangs.nodes :] == pytest.approx(alone.position, abs=1e-5)
+
+
 @pytest.mark.parametrize("name", sorted({"cells", "corotated"} - FLOATS))
 def test_rotations_are_those_of_the_place_however_far_a_step_turns(name: str) -> None:
     """So that whoever works the energy out anew, from the place alone, finds the same."""

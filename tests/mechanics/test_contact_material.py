@@ -89,12 +89,14 @@ def test_what_is_pressed_at_rest_closes() -> None:
         copy.step(2e-3)
     force, depth, lost = copy.force[2], copy.tools.place[0, 2], copy.lost
     assert force > 0.1
-    told = 0
+    told, solved = 0, 0.0
     for _ in range(10_000):
         copy.lead(place, place)
         copy.step(2e-3)
         told += int(copy.ledger[SHORTENED] > 0.0 or copy.ledger[BETA] > CLOSURE_ALARM)
+        solved += float(copy.ledger[ITERATIONS])
     assert told == 0
+    assert solved <= 200_000.0  # nothing is searched for where rounding alone is left over
     assert abs(copy.force[2] - force) <= 1e-3 * force
     assert abs(copy.tools.place[0, 2] - depth) <= 1e-3 * 0.005
     assert copy.lost - lost <= 1e-3 * copy.energy
@@ -117,6 +119,25 @@ def test_a_stylus_that_lies_over_an_edge_comes_to_rest() -> None:
     assert told == 0
     assert copy.force[2] > 0.1
     assert np.linalg.norm(copy.tools.rate[0, :3]) <= 1e-5
+
+
+def test_a_body_that_rests_stays_while_tools_go_on() -> None:
+    """What rounding moves it by is no reason to move, where no tool does anything to it."""
+    start, up, pair = np.array([0.013, 0.009, 0.2]), np.array([0.0, 0.0, 0.01]), list[Pressed]()
+    for gravity in (None, (0.0, 0.0, -9.81)):
+        pair.append(Pressed(made("cells", viscosity=2e-3, ground="z-", hold=300.0, gravity=gravity)))
+        pair[-1].tools.radius[:], pair[-1].tools.place[0, :3] = 0.008, start
+        pair[-1].begin()
+    unloaded, rests, still = *pair, 0
+    for n in range(1500):
+        before = rests.state.position.copy()
+        for copy in pair:
+            copy.lead(start + np.sin(n) * up, start + np.sin(n + 1) * up)
+            copy.step(2e-3)
+        still += int(np.array_equal(rests.state.position, before))
+        assert np.abs(rests.tools.place - unloaded.tools.place).max() <= 1e-14
+    assert still > 20
+    assert rests.residual <= 5e-15 * rests.in_play
 
 
 def test_friction_that_sticks_is_stretched_by_what_tool_and_skin_moved() -> None:
@@ -155,14 +176,33 @@ def test_a_grasp_that_pulls_within_long_steps_makes_no_energy() -> None:
     tools.place[0, :3] = start = np.array([0.013, 0.009, 2.0 * SPACING])
     copy.begin()
     tools.drive_stiffness[:], tools.drive_damping[:], tools.grip_stiffness[:] = 5e3, 2.0, 5e3
-    end = start
+    end, told = start, 0
     for n in range(80):
         tools.drive_start[:, :3] = end
         end = start + 0.05 * np.sin(0.08 * np.pi * (n + 1)) * np.array([1.0, 0.6, 0.4])
         tools.drive_end[:, :3] = end
         copy.step(0.04)
+        told += int(copy.ledger[SHORTENED] > 0.0)
+        assert copy.ledger[BETA] <= CLOSURE_ALARM  # rather the tool goes less far
+    assert 0 < told <= 10  # such steps are searched for at once
     assert copy.residual <= 5e-15 * copy.in_play
     assert copy.in_play < 100.0
+
+
+def test_a_step_that_leads_where_nothing_can_be_weighed_is_not_taken_and_told() -> None:
+    """What touches stays where it is, by velocities that are turned back."""
+    copy = Pressed(made("cells", viscosity=2e-3, ground="z-", hold=300.0))
+    copy.tools.radius[:], copy.tools.place[0, :3] = 0.008, [0.013, 0.009, 2.0 * SPACING + 0.0075]
+    copy.tools.rate[0, 2] = -1e60
+    copy.begin()
+    place, position = copy.tools.place.copy(), copy.state.position.copy()
+    for sign in (1.0, -1.0):
+        copy.step(0.01)
+        assert copy.ledger[SHORTENED] == 1.0
+        assert copy.tools.rate[0, 2] == sign * 1e60
+    assert np.array_equal(copy.tools.place, place)
+    assert np.abs(copy.state.position - position).max() <= 1e-4
+    assert copy.residual <= 5e-15 * copy.in_play
 
 
 @kernel

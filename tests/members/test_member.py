@@ -401,6 +401,19 @@ def test_rounded_samples_are_paid_for() -> None:
     world.check()
 
 
+def test_who_is_farther_away_than_samples_can_tell_says_so() -> None:
+    world = coarse(THREE.replace("users = 3", "users = 3\nmax_displacement = 0.03"))
+    for name in ("Ann", "Ben", "Cleo"):
+        world.join(name, moves=name == "Ann")
+    world.until(world.all_coupled, 12.0)
+    assert not any(person.copy.status(world.now).unsent for person in world.people)
+    world.run(6.0)
+    away = [bool(person.position[0, 0] > 0.03) for person in world.people]
+    assert away[0]
+    assert [person.copy.status(world.now).unsent for person in world.people] == away
+    world.check()
+
+
 def test_a_turn_takes_up_so_many_messages_and_forgets_none() -> None:
     world = three()
     member, received = world.people[0].member, []

@@ -51,7 +51,7 @@ STATUS = st.fixed_dictionaries({"slot": SLOTS}).flatmap(
         epoch=ENDS, time=FLOATS, steps=ENDS, rate=FLOATS, period=FLOATS, longest=FLOATS, missed=ENDS, stood=FLOATS,
         force=FLOATS, position=st.lists(FLOATS, max_size=4), supplied=FLOATS, lost=FLOATS, linked=FLOATS,
         rescaled=FLOATS, energy=FLOATS, initial=FLOATS, residual=FLOATS, damping=FLOATS, certificate=FLOATS,
-        links=st.lists(LINK, max_size=4), alarms=ENDS, roster=KEYS,
+        links=st.lists(LINK, max_size=4), unsent=st.booleans(), alarms=ENDS, roster=KEYS,
         closure=FLOATS, closure_factor=FLOATS, closure_alarms=ENDS,
         round_trips=st.lists(st.tuples(SLOTS, FLOATS), max_size=4), initial_energies=FLOATS,
     ).map(lambda more: base | more)

@@ -8,7 +8,9 @@ from cotouch.recording._links import align
 from cotouch.recording._material import RecordedMaterial
 from cotouch.recording._motion import motions
 from cotouch.recording._outside import Outside
+from cotouch.recording._outside import _begun as begun
 from cotouch.recording._recording import recording_of
+from cotouch.recording._stopped import before_stop, stopped_rows
 
 __all__ = [
     "SCALARS",
@@ -20,11 +22,14 @@ __all__ = [
     "RawFile",
     "RecordedMaterial",
     "align",
+    "before_stop",
+    "begun",
     "description",
     "findings_of",
     "make",
     "motions",
     "pack",
     "recording_of",
+    "stopped_rows",
     "unpack",
 ]

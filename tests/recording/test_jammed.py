@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.recording.inside import RecordedMaterial
+from tests.recording.inside import RecordedMaterial, before_stop, begun
 from tests.recording.test_audit import recorded_world
 
 from cotouch.errors import RecordingError
@@ -60,16 +60,16 @@ AWAY: list[dict[str, Any]] = [
 ]
 
 
+def played(folder: Path, name: str, **changes: Any) -> list[Recording]:
+    """What is recorded of somebody who strikes at some bodies."""
+    usual = {"network": PAIR, "steps": {"duration": 0.16, "period": [0.008, 0.004]}, "tools": AWAY + TOOLS}
+    scenario = Scenario.make(synchronisation={"law": "spring"}, **{**usual, **BODIES[name], **changes})
+    return [read_recording(path) for path in recorded_world(scenario, folder)]
+
+
 @pytest.fixture(scope="module", params=list(BODIES))
 def honest(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> list[Recording]:
-    scenario = Scenario.make(
-        network=PAIR,
-        steps={"duration": 0.16, "period": [0.008, 0.004]},
-        synchronisation={"law": "spring"},
-        tools=AWAY + TOOLS,
-        **BODIES[request.param],
-    )
-    return [read_recording(path) for path in recorded_world(scenario, Path(tmp_path_factory.mktemp("jammed")))]
+    return played(Path(tmp_path_factory.mktemp("jammed")), request.param)
 
 
 def jammed(recording: Recording) -> list[int]:
@@ -109,6 +109,27 @@ def test_only_what_touches_loses_motion(honest: list[Recording], request: pytest
         block = int(np.prod(BLOCK["shape"]))
         for field in ("x", "v"):
             assert np.abs(states[field][:, block:]).max() < 1e-100
+
+
+def test_what_nothing_comes_near_to_goes_as_if_alone(
+    honest: list[Recording], request: pytest.FixtureRequest, tmp_path: Path
+) -> None:
+    """Where steps that are not jammed are not shortened either, which shortens the way of all tools."""
+    name = request.node.callspec.params["honest"]
+    if name in {"cells", "apart", "far apart"}:
+        alone = played(tmp_path, name, tools=AWAY)[0].columns["tool_place"]
+        assert honest[0].columns["tool_place"][:, : len(AWAY)] == pytest.approx(alone, abs=1e-12)
+
+
+def test_a_die_that_only_a_guess_had_the_block_meet_falls_freely(tmp_path: Path) -> None:
+    network = {"users": ["Ann"], "spring": [[0]], "delay": [[0]]}
+    steps = {"duration": 0.16, "period": 0.008}
+    ann = played(tmp_path, "touching", network=network, steps=steps, world={"gravity": [0.0, 0.0, -1.0]})[0]
+    assert len(jammed(ann)) == 1
+    time = np.cumsum(ann.columns["T"])[ann.states["state_row"]]
+    die = ann.header.body.field(ann.states["x"])[:, int(np.prod(BLOCK["shape"])) :]
+    assert np.abs(die[..., 2] + 0.5 * time[:, None] ** 2).max() <= 1e-14
+    assert np.abs(die[..., :2]).max() <= 1e-14
 
 
 def claimed(recording: Recording, name: str, change: Callable[[Any], Any], step: int) -> Recording:
@@ -155,6 +176,13 @@ def test_a_step_that_was_not_jammed_is_not_by_saying_so(honest: list[Recording])
     moving = np.where(np.isin(np.arange(ann.steps), jammed(ann)), 0.0, ann.columns["kinetic"])
     result = audit([claimed(ann, "jammed", np.ones_like, int(np.argmax(moving))), ben])
     assert not result.holds
+
+
+def test_what_is_said_of_one_axis_alone_says_nothing(honest: list[Recording]) -> None:
+    ann, ben = honest
+    moving = np.where(np.isin(np.arange(ann.steps), jammed(ann)), 0.0, ann.columns["kinetic"])
+    some = claimed(ann, "jammed", lambda about: np.where(np.arange(3) == 2, 1.0, about), int(np.argmax(moving)))
+    assert audit([some, ben]).holds
 
 
 def test_what_does_not_fit_is_refused(honest: list[Recording]) -> None:
@@ -204,6 +232,43 @@ def test_who_loses_debris_in_such_a_step_is_not_accused(tmp_path: Path) -> None:
     assert {event.fields["step"] for event in ann.events if event.kind == "cut"} & set(jammed(ann))
     result = audit(recordings)
     assert result.holds, result.verdict
+
+
+def test_only_rounding_is_taken_for_the_place_where_the_last_step_ended() -> None:
+    rng = np.random.default_rng(0)
+    ends = rng.normal(size=(5, 7, 3))
+    middle = 0.5 * (ends + np.concatenate([ends[:1], ends[:-1]]))
+    assert np.array_equal(begun(ends, middle)[1:], ends[:-1])
+    moved = middle.copy()
+    moved[3, 2, 1] += 1e-12
+    assert np.array_equal(begun(ends, moved)[[1, 2, 4]], ends[[0, 1, 3]])
+    assert begun(ends, moved)[3, 2, 1] == pytest.approx(ends[2, 2, 1] + 2e-12, abs=1e-14)
+
+
+def test_how_fast_went_what_stopped_follows_from_the_step_itself(honest: list[Recording]) -> None:
+    """Of any nodes, whatever closed the step; of states that are kept less often, or after a gap, nothing is said."""
+    ann, _ = honest
+    body, rows = ann.header.body, ann.states["state_row"]
+    if body.material is None:  # nothing of it can be cut
+        return
+    x, v, middle = (body.field(ann.states[name]) for name in ("x", "v", "middle"))
+    mean = 2.0 * (x - middle) / ann.columns["T"][rows][:, None, None]
+    stopped = np.zeros(v.shape[:2], dtype=bool)
+    stopped[~np.isin(rows, jammed(ann)), ::5] = True
+    left = np.where(stopped[:, :, None], 0.0, v)
+    found = before_stop(ann, np.arange(rows.size), left, mean, stopped, 0.5)
+    assert np.isnan(found[0]).all()
+    assert found[1:] == pytest.approx(v[1:], abs=1e-9 * np.abs(v).max())
+    assert (ann.columns["closure_factor"].max() > 1e-3) == bool(body.material.between)
+    some = np.arange(0, rows.size, 2)
+    sparse = replace(ann, states={name: values[some] for name, values in ann.states.items()})
+    seldom = before_stop(sparse, np.arange(some.size), left[some], mean[some], stopped[some], 0.5)
+    assert np.array_equal(np.isnan(seldom).any(axis=(1, 2)), stopped[some].any(axis=1))
+    gap, index = int(np.flatnonzero(stopped.any(axis=1))[-1]), np.array(ann.columns["index"])
+    index[rows[gap] :] += 1
+    missed = replace(ann, columns={**ann.columns, "index": index})
+    after = before_stop(missed, np.arange(rows.size), left, mean, stopped, 0.5)
+    assert np.flatnonzero(np.isnan(after).any(axis=(1, 2))).tolist() == [0, gap]
 
 
 def test_it_is_exported(honest: list[Recording]) -> None:

@@ -241,7 +241,12 @@ def test_what_is_sent_is_reported_with_its_error():
     assert 0.0 < np.abs(written.state - state).max() == written.error[0] <= users[0].layout.rounding(0.1)
     assert users[0].send(0.0, sample, T) is None
     bad = Sample(sender=0, index=1, stamp=0.0, position=np.full((4, 4), np.nan))
+    assert not users[0].unsent
     assert users[0].send(1.0, bad, T) is Refusal.STATE
+    assert users[0].send(1.0, sample, T) is None
+    assert users[0].unsent
+    assert isinstance(users[0].send(2.0, sample, T), Written)
+    assert not users[0].unsent
 
 
 def test_new_keys_are_asked_for_in_time():

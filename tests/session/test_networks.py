@@ -72,6 +72,8 @@ delay = [[0, 0.01, 0.01], [0.01, 0, 0.01], [0.01, 0.01, 0]]
 mass = 1.0
 [steps]
 rate = 200
+[synchronisation]
+law = "spring"
 """ + hand(3.5)
 
 

@@ -148,3 +148,10 @@ def test_what_holds_a_tool_back_is_told(solid: dict[str, Any], soft: str, T: flo
     pushed = run["touch_force"].values[0, 1:] + run["drive_force"].values[0, 1:]
     assert np.abs(turned - pushed).max() < 1e-10
     assert np.abs(turned).max() > 1.0
+
+
+def test_a_body_that_no_tool_touches_and_that_goes_less_far_is_told_of() -> None:
+    """In the first step, in which nothing touches anything yet."""
+    run = play([DIE, CELLS], [ball], 0.04, 4)
+    assert run["touching"].values[0, 1] == 0.0
+    assert run["closure_alarms"].values[0, 1:3].tolist() == [1.0, 1.0]

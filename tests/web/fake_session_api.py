@@ -217,6 +217,7 @@ class FakeSessionApi:
         self._recording: float | None = None
         self.recording_state = RecordingState()
         self.files: tuple[Path, ...] = ()
+        self.away = set[int]()  # slots of copies that are farther away than samples can tell
         self.elsewhere = set[int]()  # slots that somebody at another computer has
         self.held: list[bool] = []  # what was said of the lowered damping
         self.loop_age = 0.0  # how long ago whoever moves the session looked [s]
@@ -493,5 +494,6 @@ class FakeSessionApi:
             moved=0.01,
             certificate=1.12 * self._damping - 1.0,
             links=links,
+            unsent=slot in self.away,
             round_trips=[(j, DELAYS[slot][j] + DELAYS[j][slot]) for j in range(5) if j != slot],
         )

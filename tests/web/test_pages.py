@@ -386,14 +386,27 @@ class TestMalformed:
                 lambda b: len(b) not in {len(pointer(1)), len(ack(1))} or b[:1] not in b"\2\3"
             ),
             st.text(max_size=80).filter(lambda t: not t.isdigit()),
-            st.just(pointer(1, point=1)),
-            st.just(pointer(1, action=3)),
-            st.just(json.dumps({"type": "hello", "version": VERSION + 1})),
-            st.just(json.dumps({"type": "hello", "version": VERSION, "slot": 9})),
-            st.just(json.dumps({"type": "do", "id": 1, "what": "kill!"})),
         )
     )
     def test_closes_with_a_reason(self, still: PageServer, message: bytes | str):
+        self.refused(still, message)
+
+    @pytest.mark.parametrize(
+        "message",
+        [
+            pointer(1, point=1),
+            pointer(1, action=5),
+            json.dumps({"type": "hello", "version": VERSION + 1}),
+            json.dumps({"type": "hello", "version": VERSION, "slot": 9}),
+            json.dumps({"type": "do", "id": 1, "what": "kill!"}),
+        ],
+        ids=["point", "action", "version", "slot", "command"],
+    )
+    def test_well_formed_but_out_of_range(self, still: PageServer, message: bytes | str):
+        self.refused(still, message)
+
+    @staticmethod
+    def refused(still: PageServer, message: bytes | str) -> None:
         with visit(still) as page:
             page.say(message)
             code, reason = page.closed()

@@ -25,6 +25,17 @@ def test_cutting_a_link_shows_in_the_graph_the_card_and_the_verdict(here: World)
     words(page, "#verdict", "to spare")
 
 
+def test_a_copy_that_is_too_far_away_to_be_told_of_is_named_in_the_card_and_the_verdict(here: World) -> None:
+    page = here.open()
+    choose(page, 1, 3)
+    words(page, "#link .means", "Both ends feel each other")
+    here.api.away.add(3)
+    words(page, "#link .means", "^A copy is farther away than samples can tell, so it sends none.$")
+    words(page, "#verdict", "attention: Safe: Dan's copy is farther away than samples can tell")
+    here.api.away.clear()
+    words(page, "#link .means", "Both ends feel each other")
+
+
 def test_a_link_is_disturbed_by_sliders_by_drawing_and_by_keys(here: World) -> None:
     page = here.open()
     choose(page, 1, 3)
@@ -81,7 +92,7 @@ def test_a_scripted_hand_can_be_told(here: World) -> None:
         page.wait_for_function("mode => window.cotouch.store.state.members[2].hand === mode", arg=mode)
         assert card.get_by_role("radio", name=order).get_attribute("aria-checked") == "true"
     card.get_by_role("radio", name="Pull").click()
-    words(page, "#banner-aim", "where Cleo shall pull")
+    words(page, "#banner-aim", "where Cleo should pull")
     assert card.get_by_role("button", name="Pull forward").is_visible()
     # In one dimension there are two directions.
     assert card.locator(".directions button").count() == 2

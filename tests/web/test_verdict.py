@@ -55,6 +55,11 @@ CALM = (status(1, link(3, ages=0.088)), status(3, link(1, ages=0.04), link(2, ag
             "warn",
             "safe: link 1–5 receives nothing, network slow",
         ),
+        (
+            seen(status(0, link(1, state="guarded"), unsent=True), status(1, link(0, state="waiting", age=0.9))),
+            "warn",
+            "safe: Ann's copy is farther away than samples can tell, so its neighbours hear nothing",
+        ),
         (seen(*CALM, damping=0.4), "bad", "not safe: damping lowered to 40 %"),
         (seen(*CALM, damping=0.9999), "bad", "lowered to 99 %"),
         (seen(*CALM, damping=0.003), "bad", "lowered to 0.3 %"),

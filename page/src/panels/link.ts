@@ -4,7 +4,7 @@ import { type Context, type Pair, can, nameOf } from "./context";
 import { attribute, button, h, icon, redraw, shown, text } from "./dom";
 import { count, hertz, lengthOf, linkName, ms, newtons, number, percent, si } from "./format";
 import { paced } from "./network";
-import { CONDITIONS, condition, endCondition, isCut, spare } from "./words";
+import { CONDITIONS, condition, endCondition, isCut, meaning, spare } from "./words";
 
 const ROWS: { words: string; tip: string; show: (end: LinkStatus) => string }[] = [
   { words: "state", tip: "State of this end’s spring", show: (end) => CONDITIONS[endCondition(end)].words },
@@ -123,7 +123,7 @@ export function linkCard(context: Context): HTMLElement {
     attribute(element, "data-condition", now);
     redraw(sign, CONDITIONS[now].icon);
     text(state, CONDITIONS[now].words);
-    text(means, CONDITIONS[now].means);
+    text(means, meaning(store.state, a, b));
     const left = spare(store.state, a, b);
     text(margin, left === null || now === "cut" ? "" : left >= 0 ? `${percent(left, 0)} of the age budget to spare.` : `Ages are ${percent(-left, 0)} over budget.`);
     const done = store.state?.emulated[`${a}-${b}`];

@@ -61,6 +61,13 @@ export function condition(state: State | null, a: number, b: number): Condition 
   return WORST.find((one) => ends.includes(one)) ?? "waiting";
 }
 
+/** What a condition means, and why where an end says so. */
+export function meaning(state: State | null, a: number, b: number): string {
+  const now = condition(state, a, b);
+  const away = now !== "cut" && now !== "off" && [a, b].some((slot) => state?.members[slot]?.unsent);
+  return away ? "A copy is farther away than samples can tell, so it sends none." : CONDITIONS[now].means;
+}
+
 /** Whether samples are kept from getting through, in either direction. */
 export function isCut(state: State, a: number, b: number): boolean {
   return !!(state.emulated[`${a}-${b}`]?.cut || state.emulated[`${b}-${a}`]?.cut);

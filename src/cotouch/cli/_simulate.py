@@ -185,13 +185,16 @@ def _tools(names: tuple[str, ...], figures: Summary) -> Table:
         own = [tool for tool in figures.get("tools", []) if tool["user"] == i + 1]
         for tool in own:
             count, node = tool["most_contacts"], "" if tool["kind"] == "touch" else " nodes"
+            contacts = (
+                number(tool["mean_force_n"], digits=3),
+                f"{count}{node[:-1] if count == 1 else node}",
+                number(tool["contact_time_s"], digits=3),
+            )
             table.add_row(
                 *start,
                 f"{tool['kind']}, {tool['device']}" if tool["device"] else tool["kind"],
                 number(tool["peak_force_n"], digits=3),
-                number(tool["mean_force_n"], digits=3),
-                f"{count}{node[:-1] if count == 1 else node}",
-                number(tool["contact_time_s"], digits=3),
+                *(contacts if tool["kind"] != "blade" else "–––"),  # it touches and holds nothing
             )
             start = ["", ""]
         if not own:

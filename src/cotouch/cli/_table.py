@@ -142,6 +142,9 @@ def _legend(known: Sequence[Status]) -> Text:
         if words:
             legend.append(f"\n{words}")
     for status in known:
+        if status.unsent:
+            away = "farther away than samples can tell, so neighbours hear nothing of it"
+            legend.append(f"\nuser {status.slot + 1}: the copy is {away}", style="yellow")
         if status.closure_alarms:
             worst = f"{100.0 * status.closure_factor:.2g} %"
             off = f"forces and energy disagree in {status.closure_alarms:,} of {status.steps:,} steps, by up to {worst}"

@@ -269,7 +269,7 @@ def balanced(
                 if freed:
                     continue
         # What tools do not touch may be closed by more, but not where a search would close it by less.
-        sure = fine and (touches or searches == 0 or rounded or abs(square - 1.0) <= EASY)
+        sure = fine and (searches == 0 or rounded or abs(square - 1.0) <= EASY)
         if sure and not (goes > 1.0 and passes(surface, touch, tools, scale * T)):
             break
         begins_anew = False

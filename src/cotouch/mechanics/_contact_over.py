@@ -101,29 +101,32 @@ def holds(touch: ContactWork, tools: Tools) -> bool:
 @part
 def moved_by(op: Operator, touch: ContactWork, T: float, work: Workspace, lanes: tuple[int, ...]) -> float:
     """Power that inertia asks for, of a body and its tools [W]."""
-    power = splat(0.0, lanes)
-    for i in range(op.mass.shape[0]):
+    body, tools = _squares(op, touch, work, lanes)
+    return 2.0 * op.copy_scale / T * body + tools
+
+
+@part
+def _squares(op: Operator, touch: ContactWork, work: Workspace, lanes: tuple[int, ...]) -> tuple[float, float]:
+    """`Σ m v̂²` of a body as it would go, and of its tools with their inertia in the place of m."""
+    moving, own = splat(0.0, lanes), 0.0
+    for i in range(work.mean.shape[0]):
         rate = load(work.mean, i, lanes)
-        power = power + (2.0 * op.copy_scale * at(op.mass, i) / T) * (rate * rate)
-    own = total(power)
-    for t in range(touch.inertia.shape[0]):
+        moving = moving + at(op.mass, i) * (rate * rate)
+    for t in range(touch.mean.shape[0]):
         for a in range(3):
             own += touch.inertia[t] * touch.mean[t, a] * touch.mean[t, a]
-    return own
+    return total(moving), own
 
 
 @part
 def went_astray(op: Operator, touch: ContactWork, work: Workspace, lanes: tuple[int, ...]) -> bool:
     """Whether looks led to where nothing can be weighed; then nothing goes anywhere, and no tool pushes."""
-    moving = splat(0.0, lanes)
-    for i in range(work.mean.shape[0]):
-        rate = load(work.mean, i, lanes)
-        moving = moving + at(op.mass, i) * (rate * rate)
-    size = total(moving)
+    body, own = _squares(op, touch, work, lanes)
+    size = body + own
     for t in range(touch.mean.shape[0]):
         size += abs(touch.held[t, 1]) + touch.held[t, 2]
         for a in range(3):
-            size += touch.inertia[t] * touch.mean[t, a] * touch.mean[t, a] + abs(touch.pull[t, a])
+            size += abs(touch.pull[t, a])
     if size * size * size < math.inf:  # a volume that grows like this has an energy that is a number
         return False
     for i in range(work.mean.shape[0]):

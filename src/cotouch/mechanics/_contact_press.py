@@ -94,7 +94,7 @@ def _sum(
             met = meet_four(work, corner, t, first, time, radius)
             for c in range(first, min(first + 4, work.number[t]) if met or rough else first):
                 meets = met and at(work.met, (MEETS, c % 4)) > 0.0
-                f = near[t, c]
+                f = at(near, (t, c))
                 if rough and place_face(work, f, corner, time) >= reach * reach:
                     continue
                 if not (meets or rough):

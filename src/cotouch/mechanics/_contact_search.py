@@ -175,19 +175,17 @@ def _correct(
     cap: int,
     lanes: tuple[int, ...],
 ) -> None:
-    """Corrects the rates of body and tools by what they miss; what resists in bodies and contacts is so much more."""
+    """Corrects the rates of body and tools by what they miss; what resists in bodies and contacts is so much more.
+
+    The system of the step is as that leaves it; each look makes it anew.
+    """
     for i in range(op.mass.shape[0]):
         store(work.pull, i, load(work.mean, i, lanes), lanes)
     stiffen(op, T, more, work)
     for c in range(touch.many[0]):
         i = touch.reach[c]
-        touch.own[i] = work.diagonal[i]
         work.diagonal[i] += (1.0 + more) * touch.missed[i, 0]
     ledger[ITERATIONS] += solve_step(op, ports, work, max(tolerance, COARSE), FEW, cap, lanes)
-    for c in range(touch.many[0]):
-        i = touch.reach[c]
-        work.diagonal[i] = touch.own[i]
-    stiffen(op, T, -more, work)
     for i in range(op.mass.shape[0]):
         store(work.mean, i, load(work.mean, i, lanes) + load(work.pull, i, lanes), lanes)
     for t in range(tools.mode.shape[0]):

@@ -61,7 +61,7 @@ def look_around(
     stack[0] = 0
     while waiting > 0:
         waiting -= 1
-        box = stack[waiting]
+        box = at(stack, waiting)
         if not box_distance(surface, fit, box, x, y, z, position, lanes) <= reach * reach:
             continue
         left, right = at(child, (box, 0)), at(child, (box, 1))
@@ -263,7 +263,7 @@ def load_rows(surface: Surface, work: ContactWork, t: int, diagonal: Float) -> N
             if at(work.firm, v) + at(work.apart, v) != 0.0 or total(size(load(work.force, v, FOUR))) != 0.0:
                 _load_vertex(surface, work, v, diagonal)
     for q in range(3 if work.caught[t, 0] != 0.0 else 0):
-        _load_vertex(surface, work, corner[int(work.caught[t, 1]), q], diagonal)
+        _load_vertex(surface, work, at(corner, (int(work.caught[t, 1]), q)), diagonal)
 
 
 @part

@@ -5,6 +5,7 @@ import math
 
 from cotouch.arrays import Float, Int
 from cotouch.mechanics._kernel import block, part
+from cotouch.mechanics._vector import at
 
 
 @block
@@ -30,13 +31,13 @@ def crosses(spot: Float, first: int, edge: Int, face: Int, reach: float) -> bool
         return False
     one, two, three, four = first, first + 1, first + 2, first + 3
     for s in range(edge.shape[0]):
-        i, j = edge[s, 0], edge[s, 1]
+        i, j = at(edge, (s, 0)), at(edge, (s, 1))
         if near_triangle(spot, i, j, one, two, three, reach) or near_triangle(spot, i, j, one, three, four, reach):
             return True
     if face.shape[0] == 0:
         return False
     for q in range(face.shape[0]):
-        a, b, c = face[q, 0], face[q, 1], face[q, 2]
+        a, b, c = at(face, (q, 0)), at(face, (q, 1)), at(face, (q, 2))
         for side in range(4):
             i, j = first + side, first + (side + 1) % 4
             if near_triangle(spot, i, j, a, b, c, reach):
@@ -49,7 +50,7 @@ def _within(spot: Float, first: int, face: Int) -> bool:
     """Whether the first corner of a quadrilateral that meets no face is inside."""
     outside = -math.inf
     for q in range(face.shape[0]):
-        outside = max(outside, _volume(spot, face[q, 0], face[q, 1], face[q, 2], first))
+        outside = max(outside, _volume(spot, at(face, (q, 0)), at(face, (q, 1)), at(face, (q, 2)), first))
     return outside <= 0.0
 
 

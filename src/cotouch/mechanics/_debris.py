@@ -104,7 +104,7 @@ def drop_debris(debris: Int, surface: Surface, tools: Tools, t: int, position: F
     if debris.shape[0] == 0 or hold_row.shape[1] != 1:
         return 0.0
     for c in range(tools.held[t]):
-        h = tools.hold[t, c]
+        h = at(tools.hold, (t, c))
         if is_debris(debris, hold_row, h):
             for a in range(3):
                 stretch = position[hold_row[h, 0], a] - tools.place[t, a] - tools.offset[base + c, a]

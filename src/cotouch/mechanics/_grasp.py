@@ -11,6 +11,7 @@ from cotouch.mechanics._debris import is_debris
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._surface import Fit, Surface, place_vertex
 from cotouch.mechanics._tools import MOST_HELD, MOST_HELD_MODAL, Tools
+from cotouch.mechanics._vector import at
 
 
 @part
@@ -96,7 +97,7 @@ def take(
     tools.held[t] = count
     for c in range(count):
         for a in range(3):
-            place = held_place(hold_row, rest, moved, hold_of[t, c], a, position)
+            place = held_place(hold_row, rest, moved, at(hold_of, (t, c)), a, position)
             offset[base + c, a] = place - centre[t, a]
         offset[base + c, 3] = 0.0
 
@@ -138,7 +139,7 @@ def feel_grasp(
     work.total[t], work.way[t, 3] = 0.0, 0.0
     work.grip[t, 0] = work.grip[t, 1] = tools.held[t] * gain
     for c in range(tools.held[t]):
-        h = tools.hold[t, c]
+        h = at(tools.hold, (t, c))
         if modal:
             place_vertex(surface, work.fit, h, position, lanes)
         for a in range(3):
@@ -153,7 +154,7 @@ def feel_grasp(
             force = k * stretch + gain * rate
             work.pull[t, a] += force
             if not modal:
-                i = hold_row[h, 0 if wide else a]
+                i = at(hold_row, (h, 0 if wide else a))
                 work.push[i, a if wide else 0] -= force
                 if a == 0 or not wide:
                     work.hold[i] += gain

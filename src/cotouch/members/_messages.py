@@ -310,17 +310,16 @@ class Status(Table):
         moved: ∫‖v̂‖² over them, in the identity weight [m²/s].
         certificate: what the damping exceeds what the budgets in force need by, as a share.
         links: to each neighbour.
+        unsent: whether the copy is farther away than samples can tell, so that none are sent.
         alarms: of the ledger, so far.
         closure: work on the velocities that closed the steps of a body with a material, so far [J].
         closure_factor: greatest change of a velocity by that, |β - 1|.
-        closure_alarms: steps so far whose forces and energy disagree, by more than 0.01 of a velocity, or that were
-            shortened for it.
+        closure_alarms: steps so far whose forces and energy disagree, by more than 0.01, or that were shortened for it.
         cut_energy: lost with the elements that were cut, so far; part of `lost` [J].
         cuts: elements that are cut.
         cut_set: 64 bits that tell that set from another; empty of a body that cannot be cut.
         roster: digest of the roster it works with.
-        paths: slot of another member, linked or not, and the quickest way there and back as pings find it [s]; with
-            what is emulated.
+        round_trips: slots of others, linked or not, and the quickest ways there and back, emulation included [s].
         device: what there is to say of the device in the user's hand; empty for nothing.
         recording: whether it records what it does, or wanted to.
         recording_failure: why it does not any more.
@@ -355,6 +354,7 @@ class Status(Table):
     moved: Number = 0.0
     certificate: Number | None = None
     links: Annotated[list[LinkStatus], Field(max_length=MOST_USERS)] = Field(default_factory=list[LinkStatus])
+    unsent: bool = False
     alarms: Count = 0
     closure: Number = 0.0
     closure_factor: Number = 0.0

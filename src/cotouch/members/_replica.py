@@ -220,8 +220,7 @@ class Replica:
         self._plane.stepped(now)
         self._plane.send(now, sample, length, peer.mean)  # as early as can be; what follows is for this copy alone
         hand.after()
-        report = peer.account()
-        self._last = report
+        report = self._last = peer.account()
         self.totals.add(report, peer.neighbours, length)
         self._links.notice()
         if self._recorder is not None:
@@ -381,6 +380,7 @@ class Replica:
             moved=totals.moved,
             certificate=float(self.damping.sum() / needed - 1.0) if needed > 0.0 else None,
             links=links,
+            unsent=self._plane.unsent,
             alarms=totals.alarms,
             closure=totals.closure,
             closure_factor=totals.closure_factor,

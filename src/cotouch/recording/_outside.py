@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from cotouch.arrays import Bool, Float, Long
+from cotouch.arrays import Float, Long
 from cotouch.errors import RecordingError
 
 if TYPE_CHECKING:
@@ -64,11 +64,11 @@ def outside_of(recording: "Recording", scale: Float) -> Outside | None:
     when, index = cut_steps(recording), columns["index"][rows]
     gone = np.where(np.isin(index, when), np.nan, 0.0)
     told = Outside(before[rows], held[rows], (columns["world_loss"] / scale)[rows], gone)
-    given = (_begun(x, middle, follows), x, columns["T"][rows], told)
+    given = (_begun(x, middle), x, columns["T"][rows], told)
     return material.outside(*given, fresh=fresh, follows=follows, index=index, when=when, user=recording.user)
 
 
-def _begun(x: Float, middle: Float, follows: Bool) -> Float:
+def _begun(x: Float, middle: Float) -> Float:
     """Where steps began: where the ones before ended, to the bit, if rounding is all that tells these apart.
 
     Which of two triangles is nearer to a point, a bit may decide, and with that what is lost in friction.
@@ -76,12 +76,11 @@ def _begun(x: Float, middle: Float, follows: Bool) -> Float:
     Args:
         x: displacements after each step, (steps, rows, axes) [m].
         middle: at its middle, likewise.
-        follows: whether each follows the one before.
     """
     start, before = 2.0 * middle - x, np.concatenate([x[:1], x[:-1]])
-    largest = np.maximum(np.abs(x), np.maximum(np.abs(middle), np.abs(before))).max(axis=(1, 2), initial=0.0)
+    largest = np.maximum(np.abs(x), np.abs(before)).max(axis=(1, 2), initial=0.0)
     apart = np.abs(start - before).max(axis=(1, 2), initial=0.0)
-    same = follows & (apart <= _ROUNDING * largest)
+    same = apart <= _ROUNDING * largest
     return np.where(same[:, None, None], before, start)
 
 

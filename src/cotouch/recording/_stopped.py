@@ -49,7 +49,7 @@ def before_stop(recording: "Recording", chosen: Long, v: Float, mean: Float, sto
     rows = recording.states["state_row"]
     steps = np.flatnonzero(stopped.any(axis=1))
     one = chosen[steps]
-    follows = (one > 0) & (rows[one] - rows[one - 1] == 1) & recording.consecutive[rows[one]]
+    follows = (rows[one] - rows[one - 1] == 1) & recording.consecutive[rows[one]]
     old = recording.header.body.field(recording.states["v"][one - 1])
     wanted, gone = 2.0 * mean[steps] - old, stopped[steps][:, :, None]
     moving = np.where(gone, wanted, v[steps])

@@ -132,6 +132,7 @@ class SamplePlane:
         epoch: of the session; what says another is refused.
         links: of each neighbour.
         refused: datagrams that belong to no link, by reason.
+        unsent: whether the last sample for which it was time is farther away than samples can tell.
     """
 
     def __init__(self, transport: Transport, layout: Layout, *, user: int, epoch: int = 0) -> None:
@@ -149,6 +150,7 @@ class SamplePlane:
         self.epoch = epoch
         self.links: dict[int, SampleLink] = {}
         self.refused: Counter[Refusal] = Counter()
+        self.unsent = False
         self._transport = transport
         self._codec = Codec(layout)
         self._by_number: dict[int | None, tuple[int, SampleLink]] = {}
@@ -273,6 +275,7 @@ class SamplePlane:
         if not due:
             return None
         written = self._codec.write(sample.position)
+        self.unsent = isinstance(written, Refusal)
         if isinstance(written, Refusal):
             self.refused[written] += 1
             return written

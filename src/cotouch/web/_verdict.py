@@ -47,6 +47,7 @@ def judged(overview: Overview) -> Verdict:
     return (
         _broken(known, names, overview.left)
         or _short(known, names, overview.damping)
+        or _away(known, names)
         or _apart(known, names)
         or _links(known)
     )
@@ -73,6 +74,15 @@ def _short(known: Sequence[Status], names: dict[int, str], fraction: float) -> V
     least, slot = min(lacking, default=(0.0, -1))
     if least < -_ALARM:
         return Verdict("bad", f"not safe: {names[slot]} has {_percent(-least)} less damping than the delays need")
+    return None
+
+
+def _away(known: Sequence[Status], names: dict[int, str]) -> Verdict | None:
+    """A copy whose neighbours hear nothing of it because of where it is, whatever the network does."""
+    for status in known:
+        if status.unsent:
+            why = "farther away than samples can tell, so its neighbours hear nothing"
+            return Verdict("warn", f"safe: {names[status.slot]}'s copy is {why}")
     return None
 
 

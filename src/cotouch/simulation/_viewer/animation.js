@@ -1,4 +1,4 @@
-/*! cotouch animation; sources f74809f269726f4bfbfe7f8557f8af5e2b42ad3a3231d3bc8b311996c7b2a16f; with three.js:
+/*! cotouch animation; sources d86621209c58e1c7f1fdb1b2dd01c807bbaadc08b308d2b55f11de8c7f4755d1; with three.js:
 The MIT License
 
 Copyright © 2010-2026 three.js authors
