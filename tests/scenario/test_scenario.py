@@ -57,6 +57,9 @@ def test_a_network_alone_is_a_scenario() -> None:
         ("[world]\ngravity = [0, 0, -1e300]", ["world.gravity[3]", "greater than or equal to -1000000000"]),
         ("[[tools]]\nuser = 1\nat = [0, 0, 0]\nstiffness = 1e16", ["tools[1].stiffness", "less than or equal to"]),
         ("[[tools]]\nuser = 1\nat = [0, 0, 0]\n[tools.hand]\nstiffness = 1e16", ["tools[1].hand.stiffness"]),
+        # Whether or not there is a tool that touches.
+        ("[contact]\nlaw = 'glue'", ['contact.law is "glue"', "foundation", "stiffening"]),
+        ("[contact.parameters]\nsoftness = 1", ["contact.parameters.softness is 1", "hardness, each above 0"]),
         ("[synchronisation]\nmode = 'fastest'", ["synchronisation.mode", "'fastest'", "'freshest'"]),
         ("[synchronisation]\ndamping = 'best'", ["synchronisation.damping", "'best'"]),
         ("[synchronisation]\ndamping = [1.0]", ["synchronisation.damping", "1 entries"]),

@@ -191,7 +191,7 @@ class ContactTable(Table):
         return kind(**self.parameters)
 
     def refuse(self, tools: Sequence[Table]) -> None:
-        """Refuses tools that its snap or texture does not suit.
+        """Refuses a law that cannot be, also where no tool touches, and tools that its snap or texture does not suit.
 
         Args:
             tools: of the file.
@@ -199,6 +199,7 @@ class ContactTable(Table):
         Raises:
             ValueError: there is one.
         """
+        self.made()
         for number, table in enumerate(tools, start=1):
             for effect in (self.snap, self.texture):
                 if effect is not None and isinstance(table, ToolTable) and table.kind == "touch":
