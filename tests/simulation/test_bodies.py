@@ -258,7 +258,11 @@ def test_a_file_says_all_of_it() -> None:
         ),
         (
             {"bodies": [{**DIE, "name": "a", "size": [1e300, 1, 1]}]},
-            "size is [1e+300, 1.0, 1.0]; it must be three lengths",
+            "bodies[1]: size is [1e+300, 1.0, 1.0]; it must be three lengths",
+        ),
+        (
+            {"bodies": [{**DIE, "name": "a"}, {"name": "b", "file": "none.msh", "unit": "m"}]},
+            "bodies[2]: the mesh none.msh cannot be read: No such file",
         ),
         ({"bodies": [{**DIE, "name": "a", "sise": 1}]}, "bodies[1].sise is not an option that cotouch knows"),
         (

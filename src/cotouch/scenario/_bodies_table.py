@@ -9,7 +9,7 @@ from typing import Annotated, Self, cast, final
 from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
 from cotouch.body import Body, Placed, scaled
-from cotouch.errors import ScenarioError
+from cotouch.errors import BodyError, ScenarioError
 from cotouch.mechanics import Between
 from cotouch.scenario._body_tables import BodySource, FileTable
 from cotouch.scenario._tables import MeetingTable, Number, Place, Table
@@ -110,7 +110,12 @@ def placed_bodies(tables: list[PartTable]) -> list[Placed]:
         ScenarioError: there are too many.
         BodyError: a body is wrong.
     """
-    placed = [(one, getattr(table.body, "rate", None)) for table in tables for one in table.placed()]
+    placed: list[tuple[Placed, float | None]] = []
+    for k, table in enumerate(tables, 1):
+        try:
+            placed += [(one, getattr(table.body, "rate", None)) for one in table.placed()]
+        except BodyError as error:
+            raise BodyError(f"bodies[{k}]: {error}") from None
     if len(placed) > _MOST:
         raise ScenarioError(f"there are {len(placed)} bodies; a scenario takes {_MOST}")
     masses = [one.body.mass.diagonal().sum() for one, _ in placed]
