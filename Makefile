@@ -10,7 +10,8 @@ setup: $(STAMP)
 
 # uv comes from PyPI into the environment itself, so nothing but Python is needed; the lock file decides the versions.
 # Unlike pip, uv leaves Python to be compiled at first import, and a first start takes three times as long. It could
-# compile it, but all of it: a third is what other packages test and install themselves with.
+# compile it, but all of it: a third is what other packages test and install themselves with. What does not compile is
+# not for this Python, and nobody imports it.
 $(STAMP): pyproject.toml uv.lock
 	@command -v $(PYTHON) >/dev/null || { echo "cotouch needs Python 3.11: '$(PYTHON)' was not found; set PYTHON=/path/to/python3.11"; exit 2; }
 	@printf 'setting up, once, for about half a minute '; \

@@ -429,6 +429,14 @@ def test_a_run_becomes_an_animation(plain: xr.Dataset) -> None:
     np.testing.assert_allclose(shown.series[0].values[frame], apart, rtol=0.1)
 
 
+def test_an_animation_knows_where_styluses_end() -> None:
+    stylus = {**LEFT, "at": [-0.03, 0.01, 0.01], "axis": [0.0, 0.01, 0.05]}
+    run = run_of(LEFT, stylus, HOLD, steps={"duration": 0.02}, record={"frames": 50})
+    shown = animation(run, Scenario.make(network=PAIR, body=BLOCK).build_body())
+    assert shown.tools.tip.tolist() == [[0.0, 0.0, 0.0], [0.0, 0.01, 0.05], [0.0, 0.0, 0.0]]
+    assert not shown.tools.axis.any()  # nobody's is a blade
+
+
 @pytest.mark.parametrize(
     ("body", "edges"),
     [({}, 0), ({"kind": "chain", "nodes": 4}, 3), ({"kind": "lattice", "shape": [3, 2]}, 7)],

@@ -194,7 +194,7 @@ def _tools(names: tuple[str, ...], figures: Summary) -> Table:
                 *start,
                 f"{tool['kind']}, {tool['device']}" if tool["device"] else tool["kind"],
                 number(tool["peak_force_n"], digits=3),
-                *(contacts if tool["kind"] != "blade" else "–––"),  # it touches and holds nothing
+                *(contacts if tool["kind"] != "blade" else ("–",) * len(contacts)),  # it touches and holds nothing
             )
             start = ["", ""]
         if not own:
