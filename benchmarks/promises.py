@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks._report import Row, add_write, finish
-from cotouch.laboratory import books, searched, touching, trial
+from cotouch.laboratory import made_energy, searched, touching, trial
 from cotouch.laboratory._cells import Store, cells, source_of
 from cotouch.laws import laws
 from cotouch.simulation import prepare, simulate, with_law
@@ -37,7 +37,7 @@ def at_random(cell: dict[str, Any]) -> dict[str, Any]:
     for number in range(cell["first"], cell["first"] + cell["count"]):
         prepared = prepare(trial(number))
         for law in cell["laws"]:
-            found = books(with_law(prepared, law))
+            found = made_energy(with_law(prepared, law))
             now = [float(not found.kept), found.beyond, found.residual / max(found.play, 1e-9)]
             before = worst.get(law, [0.0, -float("inf"), 0.0])
             worst[law] = [before[0] + now[0], max(before[1], now[1]), max(before[2], now[2])]
@@ -50,15 +50,15 @@ def with_tools(cell: dict[str, Any]) -> dict[str, Any]:
     for number in range(cell["first"], cell["first"] + cell["count"]):
         for law in cell["laws"]:
             run = simulate(touching(number, law))
-            books = run.attrs
+            made = run.attrs
             play = max(float(np.nanmax(np.abs(run[name].values))) for name in ("supplied_total", "stored"))
-            beyond = books["made"] - books["law_seed"] if books["finished"] else float("inf")
+            beyond = made["made"] - made["law_seed"] if made["finished"] else float("inf")
             over = 0.0
             if "coupling_excess" in run:
                 most = np.fmax.reduce(run["coupling_excess"].values, axis=1) - run["coupling_bound"].values
                 over = max(0.0, float(np.nanmax(most)))
             left = float(np.nanmax(np.abs(run["residual"].values))) / max(play, 1e-9)
-            left = max(left, float(books.get("device_residual", 0.0)))
+            left = max(left, float(made.get("device_residual", 0.0)))
             broken = beyond > _ROUND * max(play, 1.0) or over > _ROUND * max(play, 1.0)
             touched = float(np.nanmax(np.abs(run["touch_force"].values))) > 0.1
             before = worst.get(law, [0.0, -float("inf"), 0.0, 0.0])

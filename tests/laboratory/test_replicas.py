@@ -21,7 +21,7 @@ from tests.laboratory.inside import (
 from tests.laws.scenes import PASSIVE, law_of
 
 from cotouch.errors import ScenarioError
-from cotouch.laboratory import Study, ideal, measured
+from cotouch.laboratory import Study, ideal, measures_of
 from cotouch.laws import register
 from cotouch.simulation import prepare, run_batch, with_hands
 
@@ -43,7 +43,7 @@ def study(**tables: Any) -> Study:
 def costs(name: str, delay: float, *, period: float = 1e-3, **tables: Any) -> dict[str, float]:
     whole = study(laws=[{"replica": name}], networks=[{"name": "there", "delay": delay}], period=period, **tables)
     hands = whole.task("tug", 2, whole.hands[0], 0)
-    return measured(whole.laws[0], with_hands(drawn(whole, 0, {}), hands), ideal(whole, hands))
+    return measures_of(whole.laws[0], with_hands(drawn(whole, 0, {}), hands), ideal(whole, hands))
 
 
 @pytest.mark.parametrize("name", ["rollback", "owner", "lockstep", "broadcast"])

@@ -69,7 +69,7 @@ def moved(law: LawTable, prepared: Prepared) -> Moved:
     )
 
 
-def measured(law: LawTable, prepared: Prepared, wanted: Ideal) -> dict[str, float]:
+def measures_of(law: LawTable, prepared: Prepared, wanted: Ideal) -> dict[str, float]:
     """The measures of a run; infinite where the motion left floating point.
 
     Args:

@@ -8,7 +8,7 @@ from typing import TypeAlias, final
 
 from cotouch.errors import NetworkError
 from cotouch.installed import installed, installed_names
-from cotouch.laws._end import End, Part
+from cotouch.laws._end import CompiledHalf, End
 from cotouch.laws._trial import ends
 from cotouch.mechanics import beyond, reason, written_here
 
@@ -208,10 +208,10 @@ class Law:
     counts: tuple[str, ...] = ()
     origin_force: OriginForce | None = None
     store: tuple[str, str] | None = None
-    _parts: list[Part] = field(default_factory=list[Part], repr=False, compare=False)
+    _parts: list[CompiledHalf] = field(default_factory=list[CompiledHalf], repr=False, compare=False)
 
     @property
-    def parts(self) -> tuple[Part, Part]:
+    def parts(self) -> tuple[CompiledHalf, CompiledHalf]:
         """Its two functions as machine code, made on first use.
 
         Raises:
@@ -244,9 +244,9 @@ class Law:
         said = (*held, [known.name for known in self.parameters])
         return f"{self.name} {sha256(repr(said).encode()).hexdigest()[:16]}"
 
-    def _part(self, half: Half) -> Part:
+    def _part(self, half: Half) -> CompiledHalf:
         try:
-            return Part(half)
+            return CompiledHalf(half)
         except Exception as error:  # what somebody wrote may be wrong in any way
             raise NetworkError(f'law "{self.name}" cannot be compiled: {reason(error, half)}') from error
 

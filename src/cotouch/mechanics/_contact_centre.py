@@ -26,7 +26,7 @@ from cotouch.mechanics._operator import MASS, Operator, mixed, multiply, pull, r
 from cotouch.mechanics._state import KINETIC, Links, Ports, State, Workspace
 from cotouch.mechanics._step import assemble
 from cotouch.mechanics._surface import Surface
-from cotouch.mechanics._tools import GRASP, PROXY, TOUCH, TOUCH_LOSS, TOUCHED, Tools
+from cotouch.mechanics._tools import GRASP, PROXY, TOUCH_LOSS, TOUCHED, TOUCHING, Tools
 from cotouch.mechanics._vector import at, load, put, splat, store, total
 from cotouch.mechanics._world import World
 
@@ -110,7 +110,7 @@ def go_about(
                 break
     touch.quick[0] = fastest(surface, work.mean, lanes)
     for t in range(tools.mode.shape[0]):
-        if tools.mode[t] == TOUCH:
+        if tools.mode[t] == TOUCHING:
             read_rates(surface, touch, t, work.mean, lanes)
     return did
 
@@ -142,7 +142,7 @@ def is_free(
     """
     free, whole = links.slot.shape[0] == 0, touch.whole
     for t in range(tools.mode.shape[0]):
-        if tools.mode[t] in (TOUCH, GRASP):
+        if tools.mode[t] in (TOUCHING, GRASP):
             free = free and tools.drive_stiffness[t] == 0.0 and tools.drive_damping[t] == 0.0
     for p in range(ports.row.shape[0]):
         free = free and ports.stiffness[p] == 0.0 and ports.damping[p] == 0.0
@@ -178,7 +178,7 @@ def join_crossed(surface: Surface, tools: Tools, touch: ContactWork, force: Body
     """Has tools that pass the skin by the present motion, and what they pass, go about one centre; whether any does."""
     found = False
     for t in range(tools.mode.shape[0]):
-        if tools.mode[t] == TOUCH and tools.inside[t] == 0 and first_crossing(surface, touch, tools, t, T) <= 1.0:
+        if tools.mode[t] == TOUCHING and tools.inside[t] == 0 and first_crossing(surface, touch, tools, t, T) <= 1.0:
             found = True
             touch.caught[t, 0] = 1.0
             if force is not None:
@@ -281,7 +281,7 @@ def _looks(world: World | None) -> int:
 def _joins(tools: Tools, touch: ContactWork, t: int) -> bool:
     """Whether a tool and the body do anything to each other, or did at another length of this step."""
     feels = touch.caught[t, 0] != 0.0 or touch.total[t] > 0.0 or touch.well[t] != 0.0 or touch.stored[t] != 0.0
-    if tools.mode[t] == GRASP or (tools.mode[t] == TOUCH and tools.inside[t] == 0 and feels):
+    if tools.mode[t] == GRASP or (tools.mode[t] == TOUCHING and tools.inside[t] == 0 and feels):
         touch.caught[t, 4] = 1.0
     return touch.caught[t, 4] != 0.0
 

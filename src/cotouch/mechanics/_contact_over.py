@@ -13,7 +13,7 @@ from cotouch.mechanics._kernel import part
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import Workspace
 from cotouch.mechanics._surface import Surface
-from cotouch.mechanics._tools import GRASP, TOUCH, Tools
+from cotouch.mechanics._tools import GRASP, TOUCHING, Tools
 from cotouch.mechanics._vector import FOUR, at, load, splat, store, total
 
 # A difference below this share of what made it is rounding.
@@ -46,7 +46,7 @@ def over_of(
             over += T * rate * (touch.drive[t, a] - touch.inertia[t] * rate)
             stored += 0.0 if body else T * touch.inertia[t] * rate * rate
         gone, size = 0.0, 0.0
-        if tools.mode[t] == TOUCH and tools.inside[t] == 0:
+        if tools.mode[t] == TOUCHING and tools.inside[t] == 0:
             if beyond == 0.0:
                 touch.pressed[t, 1] = press_tool(law, surface, touch, tools, t, scale * T, 0.0, True)
             touch.stored[t] = touch.pressed[t, 1] - beyond * T * pressing(touch, t)
@@ -72,7 +72,7 @@ def leave(touch: ContactWork, tools: Tools, over: float) -> bool:
         work = 0.0
         for a in range(3):
             work += abs(touch.mean[t, a] * touch.pull[t, a])
-        if tools.mode[t] in (TOUCH, GRASP) and work > most:
+        if tools.mode[t] in (TOUCHING, GRASP) and work > most:
             chosen, most = t, work
     if chosen >= 0:
         touch.stored[chosen] += over
@@ -146,7 +146,7 @@ def went_astray(op: Operator, touch: ContactWork, work: Workspace, lanes: tuple[
 def passes(surface: Surface, touch: ContactWork, tools: Tools, time: float) -> bool:
     """Whether any tool passes the skin within some time."""
     for t in range(tools.mode.shape[0]):
-        if tools.mode[t] == TOUCH and tools.inside[t] == 0 and first_crossing(surface, touch, tools, t, time) <= 1.0:
+        if tools.mode[t] == TOUCHING and tools.inside[t] == 0 and first_crossing(surface, touch, tools, t, time) <= 1.0:
             return True
     return False
 

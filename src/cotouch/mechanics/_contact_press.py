@@ -19,7 +19,7 @@ from cotouch.mechanics._contact_snap import draw_tool
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._surface import Surface
-from cotouch.mechanics._tools import TOUCH, Tools
+from cotouch.mechanics._tools import TOUCHING, Tools
 from cotouch.mechanics._vector import FOUR, at, four, load, put, splat, store, total
 
 # A stretch of friction that lies this much across the skin, of its length, has no direction along it.
@@ -157,7 +157,7 @@ def unsure(work: ContactWork, tools: Tools, T: float) -> float:
     """
     result = 0.0
     for t in range(tools.mode.shape[0]):
-        if tools.mode[t] != TOUCH or tools.inside[t] != 0:
+        if tools.mode[t] != TOUCHING or tools.inside[t] != 0:
             continue
         change, rate, skin = 0.0, 0.0, 0.0
         for a in range(3):

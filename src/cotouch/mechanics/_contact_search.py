@@ -34,7 +34,7 @@ from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._solve import solve_step
 from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
 from cotouch.mechanics._surface import Surface
-from cotouch.mechanics._tools import GRASP, TOUCH, Tools
+from cotouch.mechanics._tools import GRASP, TOUCHING, Tools
 from cotouch.mechanics._vector import FOUR, load, splat, store
 
 # Looks at most.
@@ -140,7 +140,7 @@ def _feel(
     for t in range(tools.mode.shape[0]):
         if tools.mode[t] == GRASP:
             feel_grasp(surface, touch, tools, t, T, state.position, work.mean, work.diagonal, True, lanes)
-        elif tools.mode[t] == TOUCH and tools.inside[t] == 0:
+        elif tools.mode[t] == TOUCHING and tools.inside[t] == 0:
             follow(surface, touch, tools, t, T, state, work.mean, lanes)
             passes = passes or first_crossing(surface, touch, tools, t, T) < NEVER
             feel_tool(law, surface, touch, tools, t, T)

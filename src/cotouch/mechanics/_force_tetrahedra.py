@@ -203,7 +203,7 @@ def _neo_hookean_energy(law: Any, lam: float, mu: float, h1: Matrix, memory: Flo
     return mu * rest + 0.5 * (lam + mu) * d * d
 
 
-class Solid(NamedTuple):
+class SolidLaw(NamedTuple):
     """A law of tetrahedra.
 
     Attributes:
@@ -222,9 +222,9 @@ class Solid(NamedTuple):
 
 # The registry, by the names of `cotouch.body.Material`; λ and μ come times the volume.
 SOLIDS = {
-    "corotated": Solid(CorotatedTetrahedra, _corotated_stress, _corotated_energy, turns=True),
-    "st-venant-kirchhoff": Solid(StVenantKirchhoff, _kirchhoff_stress, _kirchhoff_energy),
-    "neo-hookean": Solid(NeoHookean, _neo_hookean_stress, _neo_hookean_energy),
+    "corotated": SolidLaw(CorotatedTetrahedra, _corotated_stress, _corotated_energy, turns=True),
+    "st-venant-kirchhoff": SolidLaw(StVenantKirchhoff, _kirchhoff_stress, _kirchhoff_energy),
+    "neo-hookean": SolidLaw(NeoHookean, _neo_hookean_stress, _neo_hookean_energy),
 }
 
 

@@ -12,7 +12,7 @@ from cotouch.errors import UnsupportedError
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_call import called
 from cotouch.mechanics._force_cells import CorotatedCells
-from cotouch.mechanics._force_frame import Frame
+from cotouch.mechanics._force_frame import FramedBody
 from cotouch.mechanics._force_memory import memory_size
 from cotouch.mechanics._force_rigid import Rigid
 from cotouch.mechanics._force_springs import SpringNetwork
@@ -289,7 +289,7 @@ def lame_of(material: Material) -> Float:
     return np.ascontiguousarray(np.stack([lam, young / (2.0 * (1.0 + poisson)), eta], axis=1))
 
 
-def _frame(body: Body, material: Material, row: Int, rest: Float) -> Frame:
+def _frame(body: Body, material: Material, row: Int, rest: Float) -> FramedBody:
     """The body's own matrices, off the diagonal and in the kernels' order."""
     nodes, dimension = rest.shape[0], body.dimension
     order = np.argsort(row)
@@ -309,7 +309,7 @@ def _frame(body: Body, material: Material, row: Int, rest: Float) -> Frame:
         mass = body.mass.diagonal().reshape(nodes, dimension)[:, 0]
         lever = mass[:, None] * (rest - np.average(rest, axis=0, weights=mass))
     pointer = np.concatenate([[0], np.cumsum(np.bincount(place[0], minlength=nodes))]).astype(np.int32)
-    return Frame(
+    return FramedBody(
         turning=int(material.model == "floating"),
         damped=int(bool(np.any(damping))),
         pointer=pointer,

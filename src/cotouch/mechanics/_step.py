@@ -66,8 +66,8 @@ def step(
         T: length of the step, > 0 [s].
         sample: slot of `links.samples` that receives x̂, the position at mid-step; negative: none.
         work: scratch.
-        ledger: result (BOOKS,): work supplied at the ports and dissipated by body, local and extra damping during the
-            step; kinetic and elastic energy after it [J]; iterations of the solver.
+        ledger: result (LEDGER_COLUMNS,): work supplied at the ports and dissipated by body, local and extra damping
+            during the step; kinetic and elastic energy after it [J]; iterations of the solver.
         link_work: result (links,), this copy's entries: work that each link did on it [J].
         tolerance: of the solver.
         cap: on its iterations.
@@ -329,7 +329,7 @@ def settle(op: Operator, state: State, ledger: Float, lanes: tuple[int, ...]) ->
     Args:
         op: of the body.
         state: whose position and velocity were set; the rest is filled in.
-        ledger: result (BOOKS,): the energies [J].
+        ledger: result (LEDGER_COLUMNS,): the energies [J].
         lanes: fixes the width of a row.
     """
     elastic = splat(0.0, lanes)

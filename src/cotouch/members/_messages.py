@@ -182,7 +182,7 @@ class Roster(Table):
     @property
     def digest(self) -> str:
         """SHA-256 of all of it."""
-        return hashlib.sha256(write(self)).hexdigest()
+        return hashlib.sha256(write_message(self)).hexdigest()
 
     def by_slot(self) -> dict[int, Entry]:
         """The members by slot."""
@@ -377,7 +377,7 @@ class Status(Table):
         )
 
 
-def read(kind: type[T], body: bytes) -> T | None:
+def read_message(kind: type[T], body: bytes) -> T | None:
     """A message, or None if it is none of this kind.
 
     Args:
@@ -390,7 +390,7 @@ def read(kind: type[T], body: bytes) -> T | None:
         return None
 
 
-def write(message: Table) -> bytes:
+def write_message(message: Table) -> bytes:
     """The message as bytes."""
     return message.model_dump_json().encode()
 

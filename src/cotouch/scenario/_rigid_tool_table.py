@@ -70,7 +70,7 @@ class PoseHand(Table):
         return np.array([[*row, *[0.0] * (7 - len(row))] for row in rows])
 
 
-Solid = Annotated[
+RigidToolSolid = Annotated[
     Annotated[RigidBoxTable, Tag("box")]
     | Annotated[RigidCylinderTable, Tag("cylinder")]
     | Annotated[RigidSphereTable, Tag("sphere")]
@@ -100,7 +100,7 @@ class RigidToolTable(Table):
     handle: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
     hand: PoseHand | None = None
     device: SimulatedDeviceTable | None = None
-    solid: Solid
+    solid: RigidToolSolid
 
     @model_validator(mode="before")
     @classmethod

@@ -1,7 +1,7 @@
 """Many virtual peers on a virtual network: scenario in, labelled result out."""
 
 from cotouch.simulation._animation import HTML, Animation, PortTracks, ToolTracks, UserSeries
-from cotouch.simulation._batch import Outcome, Traffic, run_batch
+from cotouch.simulation._batch import Outcome, run_batch
 from cotouch.simulation._body_report import BodyReport, body_report, save_body_figure
 from cotouch.simulation._channel import start_of
 from cotouch.simulation._figures import FIGURES, figures, save_figures, shade_hold
@@ -44,7 +44,6 @@ __all__ = [
     "Summary",
     "ToolSummary",
     "ToolTracks",
-    "Traffic",
     "UserSeries",
     "animation",
     "at_times",

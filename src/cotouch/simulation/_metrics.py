@@ -10,7 +10,7 @@ from cotouch.body import Body
 from cotouch.device import PRESETS
 from cotouch.scenario import DEFAULT_RATE
 from cotouch.simulation._run_tables import DeviceEntry, Span, tables_of
-from cotouch.simulation._summary_tables import Judged, Numbers, RigidToolSummary, State, Summary, ToolSummary
+from cotouch.simulation._summary_tables import Judged, Numbers, RigidToolSummary, StateAtTime, Summary, ToolSummary
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -353,7 +353,7 @@ def judge(run: "xr.Dataset") -> Judged:
     }
 
 
-def _state(run: "xr.Dataset", time: float) -> State:
+def _state(run: "xr.Dataset", time: float) -> StateAtTime:
     """Positions and forces of all users at a time: numbers for a single node on one axis, else nested lists."""
     positions = at_times(run, "position", np.array([time]))[0]
     forces = _forces_at(run, time)

@@ -14,7 +14,7 @@ from cotouch.interrupt import interruptible
 from cotouch.scenario import Scenario
 from cotouch.simulation._batch import Outcome
 from cotouch.simulation._law_setup import given_law
-from cotouch.simulation._layout import CLOSED_BOOKS, CUT_BOOKS, TOOL_LEDGER, USER_LEDGER, WORLD_BOOKS, Record
+from cotouch.simulation._layout import CLOSED_LEDGER, CUT_LEDGER, TOOL_LEDGER, USER_LEDGER, WORLD_LEDGER, Record
 from cotouch.simulation._outcome import run_prepared
 from cotouch.simulation._prepare import Prepared, prepare
 from cotouch.simulation._rigid_tool_result import UNITS as RIGID_TOOL_UNITS
@@ -154,14 +154,14 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
                 shaped = shaped + body.held_rest[prepared.nodes] if np.any(body.rest) else shaped
         put(name, ("user", "step", "node", "axis"), shaped, everyone)
     ledger = USER_LEDGER if prepared.touching is None else USER_LEDGER + TOOL_LEDGER
-    ledger = ledger if prepared.model.force is None else ledger + CLOSED_BOOKS
+    ledger = ledger if prepared.model.force is None else ledger + CLOSED_LEDGER
     if prepared.model.force is not None and prepared.model.force.world is not None:
         own = record.users[len(ledger) :]
-        for name, values in zip(WORLD_BOOKS[:2], own, strict=False):
+        for name, values in zip(WORLD_LEDGER[:2], own, strict=False):
             put(name, ("user", "step"), values, everyone)
         put("world_force", ("user", "step", "axis"), np.moveaxis(own[2:5], 0, -1), everyone)
     if outcome.cuts is not None:
-        for name, values in zip(CUT_BOOKS, record.users[-len(CUT_BOOKS) :], strict=True):
+        for name, values in zip(CUT_LEDGER, record.users[-len(CUT_LEDGER) :], strict=True):
             put(name, ("user", "step"), values, everyone)
         after, by = np.moveaxis(outcome.cuts, 1, 0)
         known = np.take_along_axis(timing.end, np.maximum(after.astype(np.int64) - 1, 0), axis=1)
