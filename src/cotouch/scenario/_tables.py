@@ -81,6 +81,21 @@ def check_times(begin: float, release: float | None, waypoints: Sequence[float] 
 Place = Annotated[list[Coordinate], Field(min_length=3, max_length=3)]
 
 
+def split_table(given: object, inner: str, own: Sequence[str]) -> tuple[dict[str, object], dict[str, object]] | None:
+    """A table in which another's options stand beside its own, as in a file, in two; None: it holds that as a table.
+
+    Args:
+        given: what was given for the table.
+        inner: name of the other.
+        own: options of the table itself.
+    """
+    table = cast("Mapping[str, object]", given) if isinstance(given, Mapping) else {inner: given}
+    if inner in table:
+        return None
+    rest = {name: value for name, value in table.items() if name not in own}
+    return {name: table[name] for name in own if name in table}, rest
+
+
 @final
 class Random(Table):
     """Step lengths drawn anew for every step and user, uniformly between two bounds [s]."""
