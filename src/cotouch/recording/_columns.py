@@ -60,8 +60,8 @@ VECTORS: dict[str, tuple[str, str, str]] = {
         "links",
     ),
     "link_state": ("1", "of each link's end: 0 guarded, 1 ready, 2 coupled", "links"),
-    "tool_place": ("m", "place of every proxy after the step", "tools, 3"),
-    "tool_rate": ("m/s", "velocity of every proxy after the step", "tools, 3"),
+    "tool_position": ("m", "place of every proxy after the step", "tools, 3"),
+    "tool_velocity": ("m/s", "velocity of every proxy after the step", "tools, 3"),
     "drive_force": ("N", "mean force of what pulls each proxy", "tools, 3"),
     "touch_force": ("N", "mean force of contacts or grasp on each proxy", "tools, 3"),
 }
