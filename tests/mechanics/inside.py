@@ -22,14 +22,14 @@ from cotouch.mechanics._direction_search import (
     judge_look,
     stiffer,
 )
+from cotouch.mechanics._fit import Fit, box_distance, fit_of, place_vertex, refit
+from cotouch.mechanics._foot import foot
 from cotouch.mechanics._force import evaluate, lean, resist
 from cotouch.mechanics._kernel import outlined
 from cotouch.mechanics._materials import gradients_of, lame_of
-from cotouch.mechanics._meeting_near import foot
 from cotouch.mechanics._nearest import SWEEPS
 from cotouch.mechanics._operator import operator_of
 from cotouch.mechanics._solve import chebyshev, chebyshev_iterations, conjugate_gradients, invert
-from cotouch.mechanics._surface import Fit, box_distance, fit_of, place_vertex, refit
 from cotouch.mechanics._toll import most_toll
 from cotouch.mechanics._tool_walls import walls_of
 from cotouch.mechanics._vector import WIDTHS, four, root, transposed

@@ -124,6 +124,10 @@ class Study(Table):
     def make(cls, *, source: str = "the study", **tables: object) -> "Study":
         """Makes a study from tables; errors are one sentence each.
 
+        Args:
+            source: what a message calls it.
+            **tables: of the study, by name.
+
         Raises:
             ScenarioError: something in it is wrong.
         """

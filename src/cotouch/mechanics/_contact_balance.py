@@ -58,7 +58,13 @@ _ENOUGH = (1e-4, 1e-6)
 
 @part
 def dot_rows(first: Float, second: Float, lanes: tuple[int, ...]) -> float:
-    """`Σ firstᵀ second` over all rows."""
+    """`Σ firstᵀ second` over all rows.
+
+    Args:
+        first: (rows, width).
+        second: likewise.
+        lanes: fixes the width of a row.
+    """
     result = splat(0.0, lanes)
     for i in range(first.shape[0]):
         result = result + load(first, i, lanes) * load(second, i, lanes)

@@ -11,7 +11,7 @@ from cotouch.arrays import Float
 from cotouch.mechanics._balance import FIXED, MOTION
 from cotouch.mechanics._balance_groups import TIED
 from cotouch.mechanics._balance_length import find_outside, keep_groups, stretch
-from cotouch.mechanics._balance_parts import hold_groups
+from cotouch.mechanics._balance_parts import hold_face, hold_groups
 from cotouch.mechanics._contact_over import stretch_tool
 from cotouch.mechanics._contact_skin import fastest, read_rates
 from cotouch.mechanics._contact_sweep import first_crossing
@@ -27,7 +27,7 @@ from cotouch.mechanics._state import KINETIC, Links, Ports, State, Workspace
 from cotouch.mechanics._step import assemble
 from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import GRASP, PROXY, TOUCH_LOSS, TOUCHED, TOUCHING, Tools
-from cotouch.mechanics._vector import at, load, put, splat, store, total
+from cotouch.mechanics._vector import at, load, splat, store, total
 from cotouch.mechanics._world import World
 
 # Looks at most, where what obstacles do depends on where the centre goes; and its change, of itself, that ends them.
@@ -175,7 +175,15 @@ def _any_tied(parts: Parts | None) -> bool:
 
 @part
 def join_crossed(surface: Surface, tools: Tools, touch: ContactWork, force: BodyForce | None, T: float) -> bool:
-    """Has tools that pass the skin by the present motion, and what they pass, go about one centre; whether any does."""
+    """Has tools that pass the skin by the present motion, and what they pass, go about one centre; whether any does.
+
+    Args:
+        surface: the skin.
+        tools: the proxies.
+        touch: what is near; `caught` marks the tools that pass.
+        force: what resists inside the body; None: it is linear.
+        T: length of the step [s].
+    """
     found = False
     for t in range(tools.mode.shape[0]):
         if tools.mode[t] == TOUCHING and tools.inside[t] == 0 and first_crossing(surface, touch, tools, t, T) <= 1.0:
@@ -258,18 +266,6 @@ def lose_motion(
             tools.rate[t, a] = rate
             touch_ledger[PROXY] -= lost
             touch_ledger[TOUCH_LOSS] += lost
-
-
-@inner
-def hold_face(surface: Surface, parts: Parts | None, f: int) -> None:
-    """Notes that a tool touches the bodies of a triangle."""
-    if parts is None:
-        return
-    for q in range(3):
-        v = surface.corner[f, q]
-        for k in range(surface.row.shape[1]):
-            if surface.weight[v, k] != 0.0:
-                put(parts.held, at(parts.part, surface.row[v, k, 0]), 1)
 
 
 @inner

@@ -6,8 +6,7 @@ from cotouch.arrays import Float
 from cotouch.mechanics._balance import LAST_ATTEMPT, go_back, keep_place
 from cotouch.mechanics._balance_groups import LENGTH, OPEN, OTHERS, WITH
 from cotouch.mechanics._balance_length import ask_fall, find_outside, meet_again, set_length
-from cotouch.mechanics._balance_parts import hold_groups
-from cotouch.mechanics._contact_centre import hold_face
+from cotouch.mechanics._balance_parts import hold_face, hold_groups
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._direction_groups import level_groups

@@ -101,7 +101,14 @@ def soften(law: Any, surface: Surface, touch: ContactWork, tools: Tools, t: int)
 
 @part
 def soften_all(law: Any, surface: Surface, touch: ContactWork, tools: Tools) -> None:
-    """As `soften`, of all tools that are outside."""
+    """As `soften`, of all tools that are outside.
+
+    Args:
+        law: of the contact.
+        surface: the skin.
+        touch: what is near, and scratch.
+        tools: the proxies.
+    """
     for t in range(tools.mode.shape[0]):
         if tools.mode[t] == TOUCHING and tools.inside[t] == 0:
             soften(law, surface, touch, tools, t)

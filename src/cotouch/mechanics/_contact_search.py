@@ -203,5 +203,12 @@ def _correct(
 
 @inner
 def seekable(op: Operator, force: BodyForce, surface: Surface, work: Workspace) -> bool:
-    """Whether a search is of use: one body, of many nodes that are solved for together."""
+    """Whether a search is of use: one body, of many nodes that are solved for together.
+
+    Args:
+        op: the body's matrices.
+        force: what resists inside the body.
+        surface: the skin.
+        work: `dense` says what is solved for at once.
+    """
     return force.parts is None and op.entries.shape[0] > 0 and work.dense.shape[0] == 0 and surface.shape.shape[0] == 0

@@ -35,6 +35,7 @@ from cotouch.mechanics._debris import drop_debris, free_debris
 from cotouch.mechanics._direction import begin_looks, level, predict
 from cotouch.mechanics._direction_missing import hold_ports
 from cotouch.mechanics._direction_more import MOST_LOOKS, leaves_little, rough
+from cotouch.mechanics._fit import refit
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import looks_ahead
 from cotouch.mechanics._grasp import feel_grasp, take
@@ -43,7 +44,7 @@ from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._proxy import book_drive, move_proxy, pay, proxy_drive, proxy_inertia
 from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
 from cotouch.mechanics._step import assemble
-from cotouch.mechanics._surface import Surface, refit
+from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import BLADE, GRASP, TOUCH_LOSS, TOUCH_STORED, TOUCHING, Tools
 from cotouch.mechanics._vector import load, splat, store
 from cotouch.mechanics._world_force import looks_of, take_up

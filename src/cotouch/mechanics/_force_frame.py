@@ -194,7 +194,17 @@ def _turn(law: FramedBody, r: Matrix, moment: Matrix, sweeps: int) -> Matrix:
 def resist(
     law: FramedBody, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]
 ) -> None:
-    """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`."""
+    """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`.
+
+    Args:
+        law: see `FramedBody`.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        out: (rows, 4), added to [N].
+        lanes: fixes the width of a row.
+    """
     before = columns(memory, FIRST)
     for end in range(2):
         fraction = 1.0 * end
@@ -214,7 +224,17 @@ def resist(
 def evaluate(
     law: FramedBody, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:
-    """Energy at the end of a step, whose rotation it keeps, and the power of the dampers in it."""
+    """Energy at the end of a step, whose rotation it keeps, and the power of the dampers in it.
+
+    Args:
+        law: see `FramedBody`.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        sweeps: of the search for the nearest rotations, >= 1.
+        lanes: fixes the width of a row.
+    """
     before = columns(memory, FIRST)
     rows = law.rest.shape[0]
     energy, power = 0.0, 0.0

@@ -29,6 +29,11 @@ from cotouch.mechanics._tool_bodies import rigid_rows
 def outline_of(body: Body, material: Material, *, tangent: bool = True) -> Body:
     """The linear body, in the node form, that gives a step's direction: masses, outer springs, a scalar bound on K.
 
+    Args:
+        body: with the material.
+        material: of the body.
+        tangent: whether what is rigid may give its own tangent.
+
     Raises:
         UnsupportedError: masses or what holds the body differ between axes.
     """
@@ -113,6 +118,10 @@ def scalar_bound(matrix: sp.csr_array, dimension: int) -> sp.csr_array:
 
     `xᵀ K x = -½ Σ (x_i - x_j)ᵀ K_ij (x_i - x_j)`, so the largest eigenvalue of each block `-sym K_ij` is a spring that
     bounds it.
+
+    Args:
+        matrix: K, symmetric, (n * dimension, n * dimension) [N/m].
+        dimension: axes of a node, 1 to 3.
     """
     blocks = sp.bsr_array(matrix, blocksize=(dimension, dimension))
     nodes = matrix.shape[0] // dimension

@@ -318,6 +318,10 @@ class FileTable(Table):
     def make(cls, *, source: str, **options: object) -> "FileTable":
         """Makes a table; errors are one sentence each.
 
+        Args:
+            source: what a message calls it.
+            **options: of the table, by name.
+
         Raises:
             ScenarioError: an option is wrong.
         """
