@@ -27,7 +27,7 @@ ACTIVE = "spring without damping"
 
 
 def passive() -> list[str]:
-    """Laws that promise to make no more than their seeds."""
+    """Laws that promise to make no more than their initial energies."""
     return [name for name, law in laws().items() if law.passive]
 
 
@@ -52,7 +52,7 @@ def with_tools(cell: dict[str, Any]) -> dict[str, Any]:
             run = simulate(touching(number, law))
             made = run.attrs
             play = max(float(np.nanmax(np.abs(run[name].values))) for name in ("supplied_total", "stored"))
-            beyond = made["made"] - made["law_seed"] if made["finished"] else float("inf")
+            beyond = made["made"] - made["law_initial_energy"] if made["finished"] else float("inf")
             over = 0.0
             if "coupling_excess" in run:
                 most = np.fmax.reduce(run["coupling_excess"].values, axis=1) - run["coupling_bound"].values
@@ -118,27 +118,32 @@ def run(out: Path, runs: int, touches: int, evaluations: int, jobs: int, *, name
         of = [block["worst"][law] for block in random]
         many, most = sum(each[0] for each in of), max(each[1] for each in of)
         left = max(each[2] for each in of)
-        what = f"{law}: of {runs:,} random scenarios, made more than its seed"
-        beside = f"largest of made − seed {most:.2g} J; residual at most {left:.1g} of the run's energy"
+        what = f"{law}: of {runs:,} random scenarios, made more than its initial energy"
+        beside = f"largest of made − initial energy {most:.2g} J; residual at most {left:.1g} of the run's energy"
         rows.append(Row("promises", what, f"{many:.0f}", "0", beside))
     for law in names if touched else []:
         of = [block["worst"][law] for block in touched]
         most, left = max(each[1] for each in of), max(each[2] for each in of)
         what = (
-            f"{law}: of {touches:,} random scenarios with tools and devices, more than its seed or than couplings may"
+            f"{law}: of {touches:,} random scenarios with tools and devices, more than its initial energy or than "
+            "couplings may"
         )
         beside = (
-            f"tools touched in {sum(each[3] for each in of):.0f}; largest of made − seed {most:.2g} J; residual of "
-            f"body and devices at most {left:.1g} of the run's energy"
+            f"tools touched in {sum(each[3] for each in of):.0f}; largest of made − initial energy {most:.2g} J; "
+            f"residual of body and devices at most {left:.1g} of the run's energy"
         )
         rows.append(Row("promises", what, f"{sum(each[0] for each in of):.0f}", "0", beside))
     for law in [*names, ACTIVE] if found else []:
         of = [result for cell, result in zip(asked, found, strict=True) if cell["law"] == law]
         tried = len(of) * min(_SEARCH, evaluations)
         most, kept = max(each["beyond"] for each in of), all(each["kept"] for each in of)
-        what = f"{law}: made beyond its seed, the most that {tried:,} searched pairs of users and networks found"
+        what = (
+            f"{law}: made beyond its initial energy, the most that {tried:,} searched pairs of users and networks found"
+        )
         goal = "" if law == ACTIVE else "0 J"
-        rows.append(Row("promises", what, "0 J" if kept else f"{most:.2g} J", goal, f"made − seed {most:.2g} J"))
+        rows.append(
+            Row("promises", what, "0 J" if kept else f"{most:.2g} J", goal, f"made − initial energy {most:.2g} J")
+        )
     return rows
 
 

@@ -121,7 +121,7 @@ def test_a_server_with_bare_springs_on_its_spokes_makes_energy() -> None:
 
 @pytest.mark.parametrize(
     ("law", "stiffness", "nearer"),
-    [("spring", 50.0, 50.0), ({"kind": "wave", "impedance": 2.0, "seed": 0.01}, 2.0 / 0.025, 2.0 / 1.5e-3)],
+    [("spring", 50.0, 50.0), ({"kind": "wave", "impedance": 2.0, "initial_energy": 0.01}, 2.0 / 0.025, 2.0 / 1.5e-3)],
 )
 def test_two_who_pull_at_a_server_feel_its_spokes_one_after_the_other(
     law: Any, stiffness: float, nearer: float

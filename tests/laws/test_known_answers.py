@@ -244,7 +244,7 @@ def test_no_random_scenario_makes_a_passive_law_give_more_than_its_seed() -> Non
     """`python -m benchmarks.promises` does so in ten thousand."""
     for number in range(20):
         prepared = prepare(trial(number))
-        for law in ["spring", *PASSIVE, {"kind": "pspm", "damping": 0.0, "seed": 0.001}]:
+        for law in ["spring", *PASSIVE, {"kind": "pspm", "damping": 0.0, "initial_energy": 0.001}]:
             found = made_energy(with_law(prepared, law))
             assert found.kept, (number, law, found)
             assert found.residual <= 1e-11 * found.play, (number, law)
@@ -571,7 +571,7 @@ def _finger(user: int, side: float) -> dict[str, Any]:
 def _swing(scenario: Scenario) -> float:
     """Peak to peak of the sum of what two tools feel who hold an object still between them, in the last fifth [N]."""
     run = simulate(scenario)
-    assert run.attrs["made"] <= run.attrs["law_seed"]
+    assert run.attrs["made"] <= run.attrs["law_initial_energy"]
     force = run["touch_force"].values.sum(axis=0)
     assert np.abs(run["touch_force"].values[:, -1, 0]).min() > 2.0
     return float(np.ptp(force[-force.shape[0] // 5 :], axis=0).max())
@@ -659,7 +659,7 @@ def _lifted(law: str, users: int, where: dict[str, Any]) -> Any:
         tools=[_finger(1, -1.0), _finger(users, 1.0)],
     )
     run = simulate(scenario)
-    assert law != "paid" or run.attrs["made"] <= run.attrs["law_seed"]
+    assert law != "paid" or run.attrs["made"] <= run.attrs["law_initial_energy"]
     assert float(abs(run["residual"]).max()) < 1e-9
     middle = run["position"].values.mean(axis=2)
     return middle - middle[:, :1]
@@ -679,7 +679,7 @@ def test_to_paid_fingers_that_lift_a_block_between_them_are_felt_by_both(
 
 
 def test_what_paid_may_make_is_a_copys_whatever_its_body() -> None:
-    at = [parameter.name for parameter in PAID.parameters].index("seed")
+    at = [parameter.name for parameter in PAID.parameters].index("initial_energy")
     seeds = [PAID.values(Facts(spring=1.0, age=0.02, age_back=0.02, degree=2, rows=rows), {})[at] for rows in (1, 400)]
     assert seeds == [0.01, 0.01]
 
@@ -691,7 +691,7 @@ def test_paid_makes_no_more_than_its_seed_where_tools_touch(number: int) -> None
     made = run.attrs
     assert float(np.nanmax(np.abs(run["touch_force"].values))) > 0.1
     assert made["finished"]
-    assert 0.0 < made["made"] <= made["law_seed"]
+    assert 0.0 < made["made"] <= made["law_initial_energy"]
     assert float(abs(run["residual"]).max()) < 1e-11 * float(abs(run["supplied_total"]).max())
 
 

@@ -119,7 +119,7 @@ def sweep(path: Path, *, vary: Sequence[str], out: Path | None, dask: str | None
             listed.add_row(*cells, "–")
             continue
         numbers = [number(float(row[name]), digits=3) for name in units]
-        active = row["made"] > row["law_seed"] + 1e-9 or not row["finished"]
+        active = row["made"] > row["law_initial_energy"] + 1e-9 or not row["finished"]
         listed.add_row(*cells, *numbers, style="red" if active else None)
     Console().print(listed)
     for problem in sorted({row["problem"] for row in rows} - {""}):

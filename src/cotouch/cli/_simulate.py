@@ -246,7 +246,7 @@ def _hot(tools: list[ToolSummary]) -> list[str]:
 
 def _law(judged: Judged, rounding: float) -> str:
     """What the links made, and whether that is what their law promises."""
-    made, seed = (value if value > rounding else 0.0 for value in (judged["made_j"], judged["seed_j"]))
+    made, seed = (value if value > rounding else 0.0 for value in (judged["made_j"], judged["initial_energy_j"]))
     text = f"{judged['law']}: created {number(made, 'J', digits=3)}"
     if judged["promised"] and not judged["kept"]:
         return f"[red]{text}, but guarantees at most {number(seed, 'J', digits=3)}[/red]"

@@ -139,7 +139,7 @@ def fronts(data: "xr.Dataset", users: int, across: str) -> "Figure":
     for panel in panels.ravel()[len(networks) :]:
         panel.set_visible(False)
     for panel in panels.ravel()[: len(networks)][-_ACROSS:]:
-        panel.set_xlabel("drag / (Ns/m)" if across == "drag" else "energy made beyond the seed / J")
+        panel.set_xlabel("drag / (Ns/m)" if across == "drag" else "energy made beyond the initial energy / J")
     figure.legend(lines, laws, loc="outside lower center", ncols=min(len(laws), 6), labelcolor=INK)
     return figure
 

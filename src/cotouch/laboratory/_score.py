@@ -53,7 +53,7 @@ def moved(law: LawTable, prepared: Prepared) -> Moved:
         return replicate(REPLICAS[law.replica], prepared)
     outcome = run_prepared(prepared)
     steps, finite = int(outcome.taken.min()), outcome.events == prepared.schedule.order.size
-    seed = float(outcome.record.links[0].sum()) if prepared.law is None else prepared.law.seed
+    seed = float(outcome.record.links[0].sum()) if prepared.law is None else prepared.law.initial_energy
     made = float(outcome.record.made[0]) - seed
     return Moved(
         place=places(outcome),
@@ -180,7 +180,7 @@ def dangerous(
 
 
 def promises(law: LawTable) -> bool:
-    """Whether a law of a study promises to make no energy beyond its seed."""
+    """Whether a law of a study promises to make no energy beyond its initial one."""
     return law.replica is None and law_named(law.kind).passive and law.damping is None
 
 

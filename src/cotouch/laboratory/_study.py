@@ -327,7 +327,10 @@ def tunable(law: LawTable) -> list[str]:
     if law.replica is not None and REPLICAS[law.replica].join is None:
         return []
     kind = law_named(law.kind)
-    return ["spring", *(p.name for p in kind.parameters if p.tuned and p.name not in {kind.seed, FORCE, *law.given})]
+    return [
+        "spring",
+        *(p.name for p in kind.parameters if p.tuned and p.name not in {kind.initial_energy, FORCE, *law.given}),
+    ]
 
 
 def spread(draws: Float) -> tuple[float, float]:

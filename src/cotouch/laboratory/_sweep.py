@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 # Of each run: name, unit, meaning.
 SWEPT = {
     "made": ("J", "most energy that the links had made"),
-    "law_seed": ("J", "what the law says that they may make"),
+    "law_initial_energy": ("J", "what the law says that they may make"),
     "extracted": ("J", "most that users got out beyond what there was"),
     "rms": ("m", "distance of a user's copy from the mean of all, root mean square"),
     "largest": ("m", "likewise, at most"),
@@ -211,7 +211,7 @@ def _run(scenario: Scenario, cell: _Cell) -> _Ran:
     force = np.asarray(run["force"].values, dtype=np.float64)
     figures = {
         "made": judged["made_j"],
-        "law_seed": judged["seed_j"],
+        "law_initial_energy": judged["initial_energy_j"],
         "extracted": judged["extracted_j"],
         "rms": apart["rms"],
         "largest": apart["max"],

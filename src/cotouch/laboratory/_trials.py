@@ -192,7 +192,7 @@ def made_energy(prepared: Prepared) -> MadeEnergy:
     """
     outcome = run_prepared(prepared)
     record = outcome.record
-    seed = float(record.links[0].sum()) if prepared.law is None else prepared.law.seed
+    seed = float(record.links[0].sum()) if prepared.law is None else prepared.law.initial_energy
     play = float(np.nanmax(np.abs(record.ticks[:4]), initial=0.0))
     finite = outcome.events == prepared.schedule.order.size and np.isfinite(record.made).all()
     return MadeEnergy(

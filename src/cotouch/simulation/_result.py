@@ -284,7 +284,7 @@ def _attributes(prepared: Prepared, outcome: Outcome, ticks: int) -> dict[str, o
         "energy_residual": residual / max(in_play, LEAST_ENERGY),
         # What a law's ends may make is there from the start, as what springs hold is.
         "passivity_margin": float(outcome.record.lowest[0] + _had(outcome.record))
-        + (0.0 if prepared.law is None else prepared.law.seed),
+        + (0.0 if prepared.law is None else prepared.law.initial_energy),
         **_judged(prepared, outcome),
         **_paces(timing),
         "underruns": int(timing.underruns.sum()),
@@ -322,11 +322,11 @@ def _judged(prepared: Prepared, outcome: Outcome) -> dict[str, object]:
     covered = covered and wish.quantile in {None, 1.0} and not timing.underruns.any()
     covered = covered or (law.rule == 0.0 and not (law.constant_delay and timing.underruns.any()))
     promised = law.passive and covered and (prepared.law is None or prepared.law.holds)
-    seed = prepared.law.seed if prepared.law is not None else float(record.links[0].sum())
+    seed = prepared.law.initial_energy if prepared.law is not None else float(record.links[0].sum())
     return {
         "law": law.name,
         "law_promises": int(promised),
-        "law_seed": seed,
+        "law_initial_energy": seed,
         "made": float(record.made[0]),
         "made_at_end": float(record.made[1]),
         "extracted": max(-float(record.lowest[0] + _had(record)), 0.0),

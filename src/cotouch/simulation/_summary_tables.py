@@ -11,7 +11,7 @@ class Judged(TypedDict):
 
     law: str
     made_j: float
-    seed_j: float
+    initial_energy_j: float
     extracted_j: float
     promised: bool
     kept: bool

@@ -206,7 +206,7 @@ def _serve(run: AxisRun, law: Law, given: Mapping[str, float | str]) -> float:
             words=np.zeros((2 * count, END_WORDS), dtype=np.int64),
         ),
     )
-    return sum(law.seed_of(values) for values in parameters)
+    return sum(law.initial_energy_of(values) for values in parameters)
 
 
 server = ReplicaKind(name="server", move=_move, join=_serve, sends=("x̂",), source="Buttolo et al. 1997")
