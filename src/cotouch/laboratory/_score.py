@@ -11,7 +11,7 @@ from cotouch.laboratory._replicas import REPLICAS, Moved, replicate
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
 from cotouch.laboratory._tasks import Task
 from cotouch.laws import law_named
-from cotouch.simulation import Outcome, Prepared, prepare, run_prepared, with_hands
+from cotouch.simulation import TICK_RESIDUAL, TICK_STORED, Outcome, Prepared, prepare, run_prepared, with_hands
 
 # Errors of place count in units of this [m].
 PLACE = 0.01
@@ -60,7 +60,7 @@ def moved(law: LawTable, prepared: Prepared) -> Moved:
         velocity=outcome.record.velocity[:, : steps + 1],
         force=forces(prepared, outcome),
         made=max(made, 0.0) if made > 1e-9 * _play(outcome) else 0.0,
-        extracted=max(0.0, -float(outcome.record.lowest[0] + outcome.record.ticks[0, 0])),
+        extracted=max(0.0, -float(outcome.record.lowest[0] + outcome.record.ticks[TICK_STORED, 0])),
         corrected=0.0,
         finite=bool(finite and np.isfinite(outcome.position).all()),
         said=None
@@ -185,7 +185,7 @@ def promises(law: LawTable) -> bool:
 
 
 def _play(outcome: Outcome) -> float:
-    return float(np.nanmax(np.abs(outcome.record.ticks[:4]), initial=0.0))
+    return float(np.nanmax(np.abs(outcome.record.ticks[:TICK_RESIDUAL]), initial=0.0))
 
 
 class Sizes(TypedDict):

@@ -10,7 +10,7 @@ from cotouch.arrays import Float
 from cotouch.interrupt import check
 from cotouch.laboratory._tasks import Task
 from cotouch.scenario import Scenario
-from cotouch.simulation import Prepared, prepare, run_prepared
+from cotouch.simulation import TICK_RESIDUAL, Prepared, prepare, run_prepared
 
 # How long a trial is [s], and what of a run's energies is round-off.
 _LONG, _ROUND = 1.5, 1e-12
@@ -193,13 +193,13 @@ def made_energy(prepared: Prepared) -> MadeEnergy:
     outcome = run_prepared(prepared)
     record = outcome.record
     seed = float(record.links[0].sum()) if prepared.law is None else prepared.law.initial_energy
-    play = float(np.nanmax(np.abs(record.ticks[:4]), initial=0.0))
+    play = float(np.nanmax(np.abs(record.ticks[:TICK_RESIDUAL]), initial=0.0))
     finite = outcome.events == prepared.schedule.order.size and np.isfinite(record.made).all()
     return MadeEnergy(
         beyond=float(record.made[0]) - seed if finite else float("inf"),
         last=float(record.made[1]) - seed,
         play=play,
-        residual=float(np.nanmax(np.abs(record.ticks[4]), initial=0.0)),
+        residual=float(np.nanmax(np.abs(record.ticks[TICK_RESIDUAL]), initial=0.0)),
     )
 
 

@@ -6,7 +6,7 @@ from cotouch.simulation._body_report import BodyReport, body_report, save_body_f
 from cotouch.simulation._channel import start_of
 from cotouch.simulation._figures import FIGURES, figures, save_figures, shade_hold
 from cotouch.simulation._law_setup import facts_of, given_law
-from cotouch.simulation._layout import TOOL_LEDGER, USER_LEDGER
+from cotouch.simulation._layout import TICK_RESIDUAL, TICK_STORED, TOOL_LEDGER, USER_LEDGER
 from cotouch.simulation._metrics import (
     at_times,
     discrepancy,
@@ -29,6 +29,8 @@ from cotouch.simulation._tables import tables  # pyright: ignore[reportUnknownVa
 __all__ = [
     "FIGURES",
     "HTML",
+    "TICK_RESIDUAL",
+    "TICK_STORED",
     "TOOL_LEDGER",
     "USER_LEDGER",
     "Animation",

@@ -6,11 +6,19 @@ from cotouch.arrays import Float
 from cotouch.mechanics import CLOSURE_ALARM, ELASTIC, KINETIC, LEDGER_COLUMNS, State, closed_settle, settle, unsettled
 from cotouch.peer import StepReport
 from cotouch.simulation._batch import CodecTraffic, Outcome, run_batch
-from cotouch.simulation._layout import CLOSED_LEDGER, SLOT_LEDGER, TICK_LEDGER, USER_LEDGER, WORLD_LEDGER, Record
+from cotouch.simulation._layout import (
+    CLOSED_LEDGER,
+    SLOT_LEDGER,
+    TICK_LEDGER,
+    TICK_STORED,
+    USER_LEDGER,
+    WORLD_LEDGER,
+    Record,
+)
 from cotouch.simulation._peers import PeerRun, run_peers
 from cotouch.simulation._prepare import Prepared
 
-# Books that are sums of all steps so far.
+# Columns that are sums of all steps so far.
 _SO_FAR = {"supplied", "body_loss", "local_loss", "extra_loss", "closure", "closure_alarms", "world_loss"}
 
 
@@ -142,7 +150,7 @@ def _totals(prepared: Prepared, run: PeerRun, record: Record, start: Float) -> N
     record.lowest[0] = min(float(sums[:, 1].min(initial=0.0)), 0.0)
     record.made[:] = max(float(made.max(initial=0.0)), 0.0), made[-1] if made.size else 0.0
     initial = float(start.sum())
-    record.ticks[0, 0] = initial
+    record.ticks[TICK_STORED, 0] = initial
     at = np.flatnonzero(timing.order == timing.reference)[every - 1 :: every]
     change, supplied, lost, links, local = sums[at].T
     residual = change - supplied + lost - links

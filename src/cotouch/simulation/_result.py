@@ -14,7 +14,16 @@ from cotouch.interrupt import interruptible
 from cotouch.scenario import Scenario
 from cotouch.simulation._batch import Outcome
 from cotouch.simulation._law_setup import given_law
-from cotouch.simulation._layout import CLOSED_LEDGER, CUT_LEDGER, TOOL_LEDGER, USER_LEDGER, WORLD_LEDGER, Record
+from cotouch.simulation._layout import (
+    CLOSED_LEDGER,
+    CUT_LEDGER,
+    TICK_RESIDUAL,
+    TICK_STORED,
+    TOOL_LEDGER,
+    USER_LEDGER,
+    WORLD_LEDGER,
+    Record,
+)
 from cotouch.simulation._outcome import run_prepared
 from cotouch.simulation._prepare import Prepared, prepare
 from cotouch.simulation._rigid_tool_result import UNITS as RIGID_TOOL_UNITS
@@ -269,7 +278,7 @@ def _attributes(prepared: Prepared, outcome: Outcome, ticks: int) -> dict[str, o
 
     ledger = outcome.record.ticks[:, :ticks]
     timing, scenario = prepared.schedule, prepared.scenario
-    in_play, residual = _in_play(outcome.record, ledger), _largest(ledger[4])
+    in_play, residual = _in_play(outcome.record, ledger), _largest(ledger[TICK_RESIDUAL])
     finished = outcome.events == timing.order.size
     return {
         "title": scenario.title or "cotouch run",
@@ -307,7 +316,7 @@ def _traffic(outcome: Outcome) -> dict[str, int]:
 
 def _had(record: Record) -> float:
     """Energy that was there to be taken out: that of the start, and what weight and attraction gave below that [J]."""
-    return float(record.ticks[0, 0] - record.lowest[1:].sum())
+    return float(record.ticks[TICK_STORED, 0] - record.lowest[1:].sum())
 
 
 def _judged(prepared: Prepared, outcome: Outcome) -> dict[str, object]:
