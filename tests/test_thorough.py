@@ -5,7 +5,7 @@ from pathlib import Path
 from tests import thorough
 from tests.thorough import QUICK, examples, split, unknown
 
-ROOM = "planning/test_workers.py::test_processes_of_a_dask_cluster_find_the_same_whoever_is_lost"
+ROOM = "simulation/test_rigid.py::test_both_engines_move_it_alike_and_balance_it"
 
 
 def test_what_is_named_is_there():
@@ -15,10 +15,10 @@ def test_what_is_named_is_there():
 
 
 def test_a_case_that_is_not_there_is_told():
-    assert unknown([f"tests/{ROOM}[2-1]", f"tests/{ROOM}[0-0]"]) == []
-    assert unknown([f"tests/{ROOM}[0-0]"]) == [f"{ROOM}[2-1]"]
-    assert unknown(["tests/planning/test_workers.py::test_another"]) == [ROOM], "the test has another name now"
-    assert unknown(["tests/planning/test_plan_of_another_file.py::test_one"]) == []
+    assert unknown([f"tests/{ROOM}[hand]", f"tests/{ROOM}[tool]"]) == []
+    assert unknown([f"tests/{ROOM}[tool]"]) == [f"{ROOM}[hand]"]
+    assert unknown(["tests/simulation/test_rigid.py::test_another"]) == [ROOM], "the test has another name now"
+    assert unknown(["tests/simulation/test_world_of_another_file.py::test_one"]) == []
 
 
 def test_names_are_taken_apart():

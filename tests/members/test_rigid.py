@@ -37,7 +37,7 @@ damping = 5.0
 friction = 0.5
 kinetic_friction = 0.4
 [steps]
-rate = 500
+rate = 250
 [synchronisation]
 law = "spring"
 {HAND.format(user=1, x=-0.043, way=-0.03)}{HAND.format(user=2, x=0.043, way=0.03)}"""

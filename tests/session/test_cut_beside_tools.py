@@ -31,7 +31,7 @@ damping = 20.0
 [cutting]
 toughness = 5.0
 [steps]
-rate = 500
+rate = 250
 [synchronisation]
 law = "spring"
 {TOOL.format(size="[0.05, 0.05, 0.02]", at="[0.015, 0.015, 0.0305]", path=DOWN)}
@@ -52,7 +52,7 @@ def test_blades_cut_what_a_plate_presses(tmp_path: Path) -> None:
     """Ben's by his file, Ann's by command while she presses: all cuts are in both copies and in the audit."""
     (tmp_path / "mail").mkdir()
     (tmp_path / "kept").mkdir()
-    world = World(PRESSED, tick=2e-3, mailboxes=MailboxFolder(tmp_path / "mail"), folder=tmp_path / "kept")
+    world = World(PRESSED, tick=4e-3, mailboxes=MailboxFolder(tmp_path / "mail"), folder=tmp_path / "kept")
     ann, ben = (world.join(name) for name in world.session.scenario.network.users)
     world.until(world.all_coupled, 12.0)
     world.run(2.5)

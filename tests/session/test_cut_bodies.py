@@ -46,7 +46,7 @@ tear = 0.3
 faces = true
 users = [1]
 [steps]
-rate = 500
+rate = 250
 [[hands]]
 user = 1
 body = "high"
@@ -66,7 +66,7 @@ def cuts_of(person: Person) -> np.ndarray:
 
 @pytest.fixture(scope="module")
 def torn(tmp_path_factory: pytest.TempPathFactory) -> World:
-    world = World(TORN, folder=tmp_path_factory.mktemp("torn"), tick=2e-3)
+    world = World(TORN, folder=tmp_path_factory.mktemp("torn"), tick=4e-3)
     world.join("Ann")
     world.join("Ben", moves=False)
     world.until(world.all_coupled, 12.0)

@@ -53,7 +53,7 @@ gravity = [0, 0, -9.81]
 friction = 0.2
 damping = 20.0
 [steps]
-rate = 500
+rate = 250
 [synchronisation]
 law = "spring"
 [[hands]]
@@ -81,7 +81,7 @@ ground_stiffness = 1e4
 friction = 0.8
 damping = 20.0
 [steps]
-rate = 500
+rate = 250
 [synchronisation]
 law = "spring"
 {TOOL.format(size="[0.05, 0.05, 0.02]", at="[0.015, 0.015, 0.0305]", path="[0, 0, 0]")}"""
