@@ -51,8 +51,8 @@ def rows(searches: Sequence[Search]) -> list[Row]:
     """What the searches found."""
     broken = [text for search in searches for _, outcome in search.broken for text in outcome.broken]
     limits = (
-        f"seed {SEED} J, allowance {ALLOWANCE} J, tank {TANK} J, {POWER} W and {BURST} J at once, {FORCE:.0f} N; "
-        f"{SECONDS} s each"
+        f"initial energy {SEED} J, allowance {ALLOWANCE} J, tank {TANK} J, {POWER} W and {BURST} J at once, "
+        f"{FORCE:.0f} N; {SECONDS} s each"
     )
     made = [
         ("lies tried", f"{sum(search.tried for search in searches):,}", "", limits),

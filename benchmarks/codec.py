@@ -16,7 +16,7 @@ from benchmarks._report import Row, add_write, finish
 from cotouch.laboratory import Study
 from cotouch.laboratory._compare import drawn
 from cotouch.laboratory._ideal import ideal
-from cotouch.laboratory._score import measured
+from cotouch.laboratory._score import measures_of
 from cotouch.simulation import with_hands
 
 DEADBANDS, USUAL = (0.0, 0.05, 0.1, 0.2, 0.27), 0.1
@@ -71,7 +71,7 @@ def _measures(study: Study, draws: int) -> dict[str, float]:
         prepared = drawn(study, draw, {})
         for task in study.tasks:
             hands = study.task(task, study.users[0], study.hands[0], draw)
-            found.append(measured(study.laws[0], with_hands(prepared, hands), ideal(study, hands)))
+            found.append(measures_of(study.laws[0], with_hands(prepared, hands), ideal(study, hands)))
     result = {name: float(np.mean([one[name] for one in found])) for name in found[0]}
     return result | {"made": max(one["made"] for one in found)}
 

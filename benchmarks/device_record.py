@@ -41,7 +41,7 @@ from cotouch.haptics import (
     ServoSettings,
     SimulatedOnClock,
     Vector,
-    size,
+    norm,
     virtual_limit,
 )
 from cotouch.haptics._ends import WINDOW
@@ -312,7 +312,7 @@ class _Slot:
         self.short += self.core.end.message.starved
         self.watched = max(self.watched, report.excess)
         self.causes |= report.causes & (Cause.FAULT | Cause.ACTIVE)
-        self.strongest = max(self.strongest, size(report.force) / self.limits.force)
+        self.strongest = max(self.strongest, norm(report.force) / self.limits.force)
         stall = float(rng.uniform(5e-3, 0.06)) if rng.random() < self.stalls else 0.0
         self.next_tick = now + 1e-3 * (1.0 + self.jitter * float(rng.uniform(-0.9, 3.0))) + stall
         self._count()

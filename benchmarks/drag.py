@@ -100,7 +100,7 @@ def measure_drag(law: str, seconds: float, folder: Path, *, codec: bool = False)
     Raises:
         RuntimeError: a process ended early, or nobody moved for minutes.
     """
-    from cotouch.members import Status, felt
+    from cotouch.members import Status, law_felt
 
     text = TWO.replace("[body]", f"{CODEC}\n[body]") if codec else TWO
     (folder / "two.toml").write_text(text, encoding="utf-8")
@@ -137,7 +137,7 @@ def measure_drag(law: str, seconds: float, folder: Path, *, codec: bool = False)
             os.kill(process.pid, signal.SIGINT)
         last: list[dict[str, Any]] = [json.loads(process.communicate()[0])["status"] for process in members]
     ann, ben = (read_recording(path) for path in recordings)
-    summary = felt([Status.model_validate(status) for status in last])
+    summary = law_felt([Status.model_validate(status) for status in last])
     assert summary is not None
     return _judge(law, ann, ben, seconds, (summary.measured, summary.predicted), last)
 

@@ -25,12 +25,12 @@ from tests.live.support import (
 )
 
 from benchmarks._report import Row, add_write, finish
-from cotouch.control import Message, MessageReader, MessageWriter, Presence
+from cotouch.control import MessageReader, MessageWriter, Presence, SignedMessage
 from cotouch.errors import PageError
-from cotouch.members import Coordinator, Entry, LinkStatus, Roster, SessionFile, Status, write
-from cotouch.members._messages import Decided, Join, NameOwner, read
+from cotouch.members import Coordinator, Entry, LinkStatus, Roster, SessionFile, Status, write_message
+from cotouch.members._messages import Decided, Join, NameOwner, read_message
 from cotouch.members._succession import Belief, signed
-from cotouch.samples import Address, Chunk, Codec, Opened, PathLaw
+from cotouch.samples import Address, Chunk, Opened, PathLaw, SampleCodec
 from cotouch.traversal import Candidate, CandidateKind, read_offer, write_offer
 from cotouch.web._protocol import read_binary, read_text
 
@@ -90,7 +90,7 @@ class Part(NamedTuple):
 def samples(encoding: str) -> Part:
     """A sample's payload, as a member could seal it."""
     shape = layout(12, 3, encoding=encoding)
-    codec = Codec(shape)
+    codec = SampleCodec(shape)
     good = [
         one for step in range(5) for one in datagrams(codec, state_of(shape, step), heading(step, flags=3, worst=2.0))
     ]
@@ -122,7 +122,7 @@ def plane() -> Part:
     good = [
         one
         for step in range(4)
-        for one in datagrams(Codec(shape), state_of(shape, step), heading(step, sender=0, flags=3))
+        for one in datagrams(SampleCodec(shape), state_of(shape, step), heading(step, sender=0, flags=3))
     ]
 
     def take(raw: bytes) -> None:
@@ -146,7 +146,7 @@ def control(fraction: float, *, limited: bool) -> Part:
 
     def take(raw: bytes) -> None:
         clock[0] += 1e-4
-        assert raw in good or not isinstance(reader.read(raw, clock[0]), Message), "a forged message was believed"
+        assert raw in good or not isinstance(reader.read(raw, clock[0]), SignedMessage), "a forged message was believed"
 
     return Part(f"control messages{', a flood' if limited else ', each looked at'}", fraction, good, take)
 
@@ -193,14 +193,14 @@ def commanded() -> list[Part]:
     everybody = frozenset(one.public for one in WHO)
 
     def roster(raw: bytes) -> None:
-        decided = read(Decided, raw)
+        decided = read_message(Decided, raw)
         if decided is not None:
             belief.receive(decided, ann.public, everybody)
             assert belief.roster.owners() == root.owners(), "a forged roster was believed"
 
     def received(topic: str) -> Callable[[bytes], None]:
         def take(raw: bytes) -> None:
-            decider.receive(Message(ann.public, topic, raw, direct=True), 0.0)
+            decider.receive(SignedMessage(ann.public, topic, raw, direct=True), 0.0)
             assert len(decider.roster.members) == 3, "somebody took a place"
 
         return take
@@ -213,9 +213,9 @@ def commanded() -> list[Part]:
         for k in range(3)
     ]
     return [
-        Part("rosters", 0.03, [write(Decided(chain=chain)), write(Decided(chain=chain[:1]))], roster),
-        Part("statuses", 0.04, [write(status)], received("status")),
-        Part("wishes to take part", 0.03, [write(desired)], received("join")),
+        Part("rosters", 0.03, [write_message(Decided(chain=chain)), write_message(Decided(chain=chain[:1]))], roster),
+        Part("statuses", 0.04, [write_message(status)], received("status")),
+        Part("wishes to take part", 0.03, [write_message(desired)], received("join")),
         Part("candidates", 0.02, offers, read_offer),
     ]
 

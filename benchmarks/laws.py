@@ -146,7 +146,9 @@ def rows(found: "xr.Dataset", part: str = "full") -> list[Row]:
     for law in found["law"].values.tolist():
         made = float(found["made"].sel(law=law).max())
         goal = "0 J" if bool(found["promises"].sel(law=law)) else ""
-        result.append(Row(section, f"{law}: energy made beyond its seed, at most", f"{made:.2g} J", goal, "all runs"))
+        result.append(
+            Row(section, f"{law}: energy made beyond its initial energy, at most", f"{made:.2g} J", goal, "all runs")
+        )
     return result
 
 

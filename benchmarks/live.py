@@ -22,11 +22,11 @@ from cotouch.samples import (
     OVERHEAD,
     Agreement,
     Assembly,
-    Codec,
     Heading,
     Identity,
     Layout,
     LinkKeys,
+    SampleCodec,
     SampleLink,
     SamplePlane,
     SealedLink,
@@ -153,7 +153,7 @@ def costs() -> list[Row]:
     keys = agree(0, 1)
     one.install(keys[0])
     two.install(keys[1])
-    codec, assembly = Codec(LAYOUT), Assembly(LAYOUT, sender=0, initial=np.zeros((LAYOUT.rows, 4)))
+    codec, assembly = SampleCodec(LAYOUT), Assembly(LAYOUT, sender=0, initial=np.zeros((LAYOUT.rows, 4)))
     count, body = 0, codec.write(STATE).bodies[0]
 
     def send() -> bytes:

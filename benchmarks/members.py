@@ -21,7 +21,7 @@ import numpy.typing as npt
 
 from benchmarks._report import Row, command
 from cotouch.control import Invitation
-from cotouch.members import Part, SessionFile
+from cotouch.members import Participation, SessionFile
 from cotouch.peer import LinkGuard, LinkState, Peer, Sample
 from cotouch.samples import Assembly, Chunk, EmulatedPath, PathLaw, SampleLink, SamplePlane
 from cotouch.session import join, open_host
@@ -153,7 +153,7 @@ def member() -> None:
 
     Peer.move, SamplePlane.send, SampleLink.note = moved, commanded, noted
     taken = join(
-        Invitation.decode(asked["invitation"]), Part(name=asked["name"], version="benchmark"),
+        Invitation.decode(asked["invitation"]), Participation(name=asked["name"], version="benchmark"),
         stopped=lambda: time.monotonic() > window["until"],
     )  # fmt: skip
     if not turns or len(counted) < 4:

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks._report import Row, add_write, finish
-from cotouch.laboratory import books, searched, touching, trial
+from cotouch.laboratory import made_energy, searched, touching, trial
 from cotouch.laboratory._cells import Store, cells, source_of
 from cotouch.laws import laws
 from cotouch.simulation import prepare, simulate, with_law
@@ -27,7 +27,7 @@ ACTIVE = "spring without damping"
 
 
 def passive() -> list[str]:
-    """Laws that promise to make no more than their seeds."""
+    """Laws that promise to make no more than their initial energies."""
     return [name for name, law in laws().items() if law.passive]
 
 
@@ -37,7 +37,7 @@ def at_random(cell: dict[str, Any]) -> dict[str, Any]:
     for number in range(cell["first"], cell["first"] + cell["count"]):
         prepared = prepare(trial(number))
         for law in cell["laws"]:
-            found = books(with_law(prepared, law))
+            found = made_energy(with_law(prepared, law))
             now = [float(not found.kept), found.beyond, found.residual / max(found.play, 1e-9)]
             before = worst.get(law, [0.0, -float("inf"), 0.0])
             worst[law] = [before[0] + now[0], max(before[1], now[1]), max(before[2], now[2])]
@@ -50,15 +50,15 @@ def with_tools(cell: dict[str, Any]) -> dict[str, Any]:
     for number in range(cell["first"], cell["first"] + cell["count"]):
         for law in cell["laws"]:
             run = simulate(touching(number, law))
-            books = run.attrs
+            made = run.attrs
             play = max(float(np.nanmax(np.abs(run[name].values))) for name in ("supplied_total", "stored"))
-            beyond = books["made"] - books["law_seed"] if books["finished"] else float("inf")
+            beyond = made["made"] - made["law_initial_energy"] if made["finished"] else float("inf")
             over = 0.0
             if "coupling_excess" in run:
                 most = np.fmax.reduce(run["coupling_excess"].values, axis=1) - run["coupling_bound"].values
                 over = max(0.0, float(np.nanmax(most)))
             left = float(np.nanmax(np.abs(run["residual"].values))) / max(play, 1e-9)
-            left = max(left, float(books.get("device_residual", 0.0)))
+            left = max(left, float(made.get("device_residual", 0.0)))
             broken = beyond > _ROUND * max(play, 1.0) or over > _ROUND * max(play, 1.0)
             touched = float(np.nanmax(np.abs(run["touch_force"].values))) > 0.1
             before = worst.get(law, [0.0, -float("inf"), 0.0, 0.0])
@@ -118,27 +118,32 @@ def run(out: Path, runs: int, touches: int, evaluations: int, jobs: int, *, name
         of = [block["worst"][law] for block in random]
         many, most = sum(each[0] for each in of), max(each[1] for each in of)
         left = max(each[2] for each in of)
-        what = f"{law}: of {runs:,} random scenarios, made more than its seed"
-        beside = f"largest of made − seed {most:.2g} J; residual at most {left:.1g} of the run's energy"
+        what = f"{law}: of {runs:,} random scenarios, made more than its initial energy"
+        beside = f"largest of made − initial energy {most:.2g} J; residual at most {left:.1g} of the run's energy"
         rows.append(Row("promises", what, f"{many:.0f}", "0", beside))
     for law in names if touched else []:
         of = [block["worst"][law] for block in touched]
         most, left = max(each[1] for each in of), max(each[2] for each in of)
         what = (
-            f"{law}: of {touches:,} random scenarios with tools and devices, more than its seed or than couplings may"
+            f"{law}: of {touches:,} random scenarios with tools and devices, more than its initial energy or than "
+            "couplings may"
         )
         beside = (
-            f"tools touched in {sum(each[3] for each in of):.0f}; largest of made − seed {most:.2g} J; residual of "
-            f"body and devices at most {left:.1g} of the run's energy"
+            f"tools touched in {sum(each[3] for each in of):.0f}; largest of made − initial energy {most:.2g} J; "
+            f"residual of body and devices at most {left:.1g} of the run's energy"
         )
         rows.append(Row("promises", what, f"{sum(each[0] for each in of):.0f}", "0", beside))
     for law in [*names, ACTIVE] if found else []:
         of = [result for cell, result in zip(asked, found, strict=True) if cell["law"] == law]
         tried = len(of) * min(_SEARCH, evaluations)
         most, kept = max(each["beyond"] for each in of), all(each["kept"] for each in of)
-        what = f"{law}: made beyond its seed, the most that {tried:,} searched pairs of users and networks found"
+        what = (
+            f"{law}: made beyond its initial energy, the most that {tried:,} searched pairs of users and networks found"
+        )
         goal = "" if law == ACTIVE else "0 J"
-        rows.append(Row("promises", what, "0 J" if kept else f"{most:.2g} J", goal, f"made − seed {most:.2g} J"))
+        rows.append(
+            Row("promises", what, "0 J" if kept else f"{most:.2g} J", goal, f"made − initial energy {most:.2g} J")
+        )
     return rows
 
 

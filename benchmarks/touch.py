@@ -24,8 +24,8 @@ from benchmarks.step import _diverges, _quiet
 from cotouch.body import Body, lattice
 from cotouch.mechanics import (
     GRASP,
-    TOUCH,
     TOUCH_LEDGER,
+    TOUCHING,
     Contact,
     State,
     Stiffening,
@@ -138,7 +138,7 @@ def _run(
         counts[k] = own.touching.sum()
 
 
-def scene(body: Body, *, mode: int = TOUCH, steps: int = STEPS, spheres: int = 1) -> Scene:
+def scene(body: Body, *, mode: int = TOUCHING, steps: int = STEPS, spheres: int = 1) -> Scene:
     """A sphere over the middle of the top, which goes down into it and then to and fro; or some around the middle."""
     c = copy(body, steps=steps, basis="nodal" if body.truncation is None else "auto")
     c = c._replace(ports=own_ports(c.ports, 0, 0))  # the tool is what holds this copy

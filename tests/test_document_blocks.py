@@ -218,6 +218,21 @@ def test_every_block_runs(page: Path, desk: Path):
     assert all(finding.passed for finding in names.get("findings", []))
 
 
+def test_what_a_page_adds_is_one_short_file_for_each_kind():
+    """It runs there; with the entry point that makes it known, two files are new or changed."""
+    added = {
+        block.title: (block.text, len(block.text.splitlines()))
+        for page in ("laws.md", "extending.md")
+        for block in blocks_of(ROOT / "docs" / page)
+        if block.kind == "python" and block.title
+    }
+    kinds = ("law", "material", "contact", "coupling", "devices")
+    assert sorted(added) == sorted(f"my_{kind}.py" for kind in kinds)
+    assert {title: lines for title, (_, lines) in added.items() if lines >= 60} == {}
+    for title, (text, _) in added.items():  # of cotouch alone, and of nothing that is private there
+        assert not re.search(r"^\s*(?:from|import) (?:my_|tests|cotouch\.\S*\b_)", text, re.MULTILINE), title
+
+
 def test_what_a_page_adds_goes_again(tmp_path: Path):
     for said in (1, 2):
         folder = tmp_path / str(said)

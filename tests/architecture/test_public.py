@@ -48,6 +48,20 @@ def test_every_exported_name_exists_and_is_documented(name: str):
             assert written_doc(thing), f"{name}.{exported} has no docstring"
 
 
+def test_nothing_shares_its_name_with_anything_else():
+    """What two rooms show under one name is one thing, and no two classes are called the same."""
+    shown: dict[str, list[tuple[str, object]]] = {}
+    for room in (name for name in PACKAGES if name.count(".") == 1):
+        for exported in loaded(room).__all__:
+            shown.setdefault(exported, []).append((room, getattr(loaded(room), exported)))
+    assert {name: [room for room, _ in found] for name, found in shown.items() if len(found) > 1} == {}
+    homes: dict[str, set[str]] = {}
+    for cls in all_classes():
+        if not cls.__name__.startswith("_"):
+            homes.setdefault(cls.__name__, set()).add(cls.__module__)
+    assert {name: found for name, found in homes.items() if len(found) > 1} == {}
+
+
 @pytest.mark.parametrize("name", PACKAGES)
 def test_every_room_is_a_list_of_names(name: str):
     """A room's `__init__` holds no code of its own: what it shows is imported from its private modules."""

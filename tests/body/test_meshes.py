@@ -10,7 +10,15 @@ from hypothesis import strategies as st
 from scipy.sparse.linalg import spsolve
 from tests.body.shapes import block, box, joined, rotation, sphere, volume
 
-from cotouch.body import Body, Box, NodeSet, Plane, body_from_surface, body_from_tetrahedra, lowest_modes
+from cotouch.body import (
+    Body,
+    NodeSet,
+    NodesInBox,
+    NodesNearPlane,
+    body_from_surface,
+    body_from_tetrahedra,
+    lowest_modes,
+)
 from cotouch.errors import BodyError
 
 E, RHO = 2e5, 900.0
@@ -129,7 +137,9 @@ def test_a_clamped_beam_bends_like_a_beam():
 
 
 def test_poissons_ratio_shows_when_a_bar_is_pulled():
-    body = made("solid elastic", poisson=0.4, ground=Plane(point=(0, 0, 0), normal=(1, 0, 0)), ground_stiffness=1e-3)
+    body = made(
+        "solid elastic", poisson=0.4, ground=NodesNearPlane(point=(0, 0, 0), normal=(1, 0, 0)), ground_stiffness=1e-3
+    )
     x, y = body.rest[:, 0], body.rest[:, 1]
     load = np.zeros_like(body.rest)
     # The load that a uniform stress does to the two ends, so that the answer is uniform too.
@@ -187,9 +197,9 @@ class TestGround:
         face = self.held("x+")
         assert np.allclose(face[:, 0], 0.3)
         assert len(face) == 9
-        assert np.array_equal(face, self.held(Plane(point=(0.3, 0, 0), normal=(-2, 0, 0))))
-        assert np.array_equal(face, self.held(Box(low=(0.29, -1, -1), high=(1, 1, 1))))
-        assert len(self.held(Plane(point=(0, 0, 0), normal=(1, 0, 0), thickness=0.06))) == 18
+        assert np.array_equal(face, self.held(NodesNearPlane(point=(0.3, 0, 0), normal=(-2, 0, 0))))
+        assert np.array_equal(face, self.held(NodesInBox(low=(0.29, -1, -1), high=(1, 1, 1))))
+        assert len(self.held(NodesNearPlane(point=(0, 0, 0), normal=(1, 0, 0), thickness=0.06))) == 18
         assert len(self.held("all")) == 63
         assert len(self.held([0, 2, 2])) == 2
 
@@ -213,7 +223,7 @@ class TestGround:
             box((4, 4, 4)),
             unit="m",
             resolution=4,
-            ground=Plane(point=(0, 0, 1.4), normal=(0, 0, 1)),
+            ground=NodesNearPlane(point=(0, 0, 1.4), normal=(0, 0, 1)),
             ground_stiffness=1.0,
         )
         assert body.origin is not None
@@ -234,17 +244,23 @@ class TestGround:
         ("ground", "message"),
         [
             (
-                Plane(point=(0, 0, 5), normal=(0, 0, 1)),
+                NodesNearPlane(point=(0, 0, 5), normal=(0, 0, 1)),
                 "the plane holds no node: the nearest is 4.9 m away, thickness is 0",
             ),
-            (Plane(point=(0, 0, 0), normal=(0, 0, 0)), "the normal of the ground's plane is 0, 0, 0"),
-            (Plane(point=(0, 0), normal=(0, 0, 1)), "the plane's point is (0, 0); it must be three finite numbers"),
-            (Plane(point=(0, 0, 0), normal=(0, 0, 1), thickness=-1.0), "the thickness of the ground's plane is -1.0"),
+            (NodesNearPlane(point=(0, 0, 0), normal=(0, 0, 0)), "the normal of the ground's plane is 0, 0, 0"),
             (
-                Box(low=(1, 1, 1), high=(2, 2, 2)),
+                NodesNearPlane(point=(0, 0), normal=(0, 0, 1)),
+                "the plane's point is (0, 0); it must be three finite numbers",
+            ),
+            (
+                NodesNearPlane(point=(0, 0, 0), normal=(0, 0, 1), thickness=-1.0),
+                "the thickness of the ground's plane is -1.0",
+            ),
+            (
+                NodesInBox(low=(1, 1, 1), high=(2, 2, 2)),
                 "the ground's box holds no node; the nodes lie from (0, 0, 0) to (0.3",
             ),
-            (Box(low=(1, 1, 1), high=(0, 2, 2)), "low must not be above high"),
+            (NodesInBox(low=(1, 1, 1), high=(0, 2, 2)), "low must not be above high"),
             (NodeSet(name="foot"), 'the ground is the set "foot"; the sets of this mesh are: none'),
             ("top", 'ground is "top"; it must be "none", "all", a face "x-"'),
             ([63], "ground names node index 63; this body has nodes 0 to 62"),

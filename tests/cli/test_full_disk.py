@@ -13,7 +13,7 @@ from tests.cli.shown import shown
 from tests.cli.test_session_commands import invitation
 from tests.session.world import World
 
-from cotouch.members import PartOutcome
+from cotouch.members import ParticipationOutcome
 from cotouch.recording import read_recording
 
 TWO = """
@@ -74,7 +74,7 @@ def test_the_table_shows_whose_recording_stopped(tmp_path: Path) -> None:
 
 def test_what_a_member_says_at_its_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     trouble, path = "ends after 3 of 9 steps: x", tmp_path / "a.mcap"
-    taken = PartOutcome(name="Ann", slot=0, status=None, why="time", pace={}, recorded=3, trouble=trouble)
+    taken = ParticipationOutcome(name="Ann", slot=0, status=None, why="time", pace={}, recorded=3, trouble=trouble)
     monkeypatch.setattr("cotouch.session.join", lambda *_, **__: taken)
     options = ("join", invitation(), "--headless", "--record", path)
     said, numbers = here(*options), here(*options, "--json")

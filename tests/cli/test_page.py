@@ -15,7 +15,7 @@ from websockets.sync.client import connect
 
 from cotouch.cli import app
 from cotouch.errors import SessionError, TransportError
-from cotouch.members import Part
+from cotouch.members import Participation
 from cotouch.session import demo_session, open_host
 from cotouch.web import PageAddress
 
@@ -134,7 +134,9 @@ class TestJoin:
     def test_has_its_own_page(self, monkeypatch: pytest.MonkeyPatch, line: str):
         found: dict[str, Any] = {}
 
-        def staged(invitation: object, beside: AbstractContextManager[object], part: Part, *, quiet: bool) -> None:
+        def staged(
+            invitation: object, beside: AbstractContextManager[object], part: Participation, *, quiet: bool
+        ) -> None:
             found.update(part=part, beside=beside, quiet=quiet)
 
         monkeypatch.setattr("cotouch.cli._session.staged", staged)

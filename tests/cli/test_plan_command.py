@@ -12,7 +12,7 @@ from tests.cli.commands import FIVE_USERS, here
 
 from cotouch import planning
 from cotouch.network import Network
-from cotouch.session import Measured
+from cotouch.session import MeasuredNetwork
 
 
 def test_plan_prints_one_json_object() -> None:
@@ -45,7 +45,7 @@ def test_what_was_measured_can_be_planned_as_the_documents_say(tmp_path: Path) -
     spring = 60.0 * (delay > 0.0)
     network = Network(users=["Ann", "Ben", "Cleo"], spring=spring, delay=delay, links=[(0, 1), (1, 2)])
     path = tmp_path / "network.toml"
-    path.write_text(Measured(network=network, missing=[(0, 2)], emulated=False).toml())
+    path.write_text(MeasuredNetwork(network=network, missing=[(0, 2)], emulated=False).toml())
     done = here("plan", path, "--links", "2", "--json")
     assert done.returncode == 0, done.stderr
     assert json.loads(done.stdout)["objective"] == "decay"

@@ -5,7 +5,7 @@ import sys
 import time
 
 import pytest
-from tests.cli.inside import Progress
+from tests.cli.inside import ProgressLine
 
 # What takes seconds to load ends the command here, so that all that was said before it is what one sees meanwhile.
 LIGHT = """
@@ -61,7 +61,7 @@ def test_a_demo_says_something_before_it_loads_what_takes_seconds(options: tuple
 def test_what_stays_to_be_read_stands_above_the_line_that_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
     terminal = Terminal()
     monkeypatch.setattr(sys, "stderr", terminal)
-    with Progress(quiet=False) as progress:
+    with ProgressLine(quiet=False) as progress:
         progress.say("starting")
         while not terminal.text:
             time.sleep(0.01)
@@ -74,13 +74,13 @@ def test_what_stays_to_be_read_stands_above_the_line_that_goes_on(monkeypatch: p
 def test_who_wants_quiet_is_told_only_what_stays(monkeypatch: pytest.MonkeyPatch) -> None:
     terminal = Terminal()
     monkeypatch.setattr(sys, "stderr", terminal)
-    with Progress(quiet=True) as progress:
+    with ProgressLine(quiet=True) as progress:
         progress.say("starting")
         progress.tell("the page is here")
     assert terminal.text == "cotouch: the page is here\n"
 
 
 def test_what_is_over_at_once_has_said_nothing(capsys: pytest.CaptureFixture[str]) -> None:
-    with Progress(quiet=False) as progress:
+    with ProgressLine(quiet=False) as progress:
         progress.say("starting")
     assert capsys.readouterr() == ("", "")

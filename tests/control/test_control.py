@@ -16,10 +16,10 @@ from cotouch.control import (
     Endpoint,
     Invitation,
     MemoryControlNetwork,
-    Message,
     MessageRefusal,
     MessageWriter,
     Presence,
+    SignedMessage,
     ZenohControl,
     free_port,
 )
@@ -179,9 +179,9 @@ def until(bed: Bed, done: Callable[[], bool]) -> None:
     pytest.fail("it did not come")
 
 
-def collect(bed: Bed, at: int, count: int) -> list[Message]:
+def collect(bed: Bed, at: int, count: int) -> list[SignedMessage]:
     """So many messages, and a little longer for one too many."""
-    out: list[Message] = []
+    out: list[SignedMessage] = []
 
     def done() -> bool:
         out.extend(bed.planes[at].poll())
@@ -203,14 +203,14 @@ def test_everybody_sees_all_others(bed: Bed):
 def test_all_others_hear_what_is_for_all(bed: Bed):
     bed.planes[1].send("roster", b"everybody")
     for at in (0, 2):
-        assert collect(bed, at, 1) == [Message(bed.who[1].public, "roster", b"everybody", direct=False)]
+        assert collect(bed, at, 1) == [SignedMessage(bed.who[1].public, "roster", b"everybody", direct=False)]
     assert bed.planes[1].poll() == []
     assert not bed.planes[1].refused  # nothing of its own came back
 
 
 def test_one_hears_what_is_for_one(bed: Bed):
     bed.planes[1].send("link.keys", b"you", to=bed.who[2].public)
-    assert collect(bed, 2, 1) == [Message(bed.who[1].public, "link.keys", b"you", direct=True)]
+    assert collect(bed, 2, 1) == [SignedMessage(bed.who[1].public, "link.keys", b"you", direct=True)]
     assert bed.planes[0].poll() == bed.planes[1].poll() == []
 
 
@@ -271,7 +271,7 @@ def test_who_comes_back_is_heard(bed: Bed, member: int):
     back.send("second", b"")
     assert [message.topic for message in collect(bed, 2, 1)] == ["second"]
     other.send("third", b"", to=key)
-    received: list[Message] = []
+    received: list[SignedMessage] = []
     until(bed, lambda: bool(received.extend(back.poll()) or received))
     assert received[0].topic == "third"
 

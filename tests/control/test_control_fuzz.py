@@ -7,7 +7,7 @@ import sys
 import pytest
 from tests.live.support import identities
 
-from cotouch.control import MOST_BODY, Message, MessageReader, MessageRefusal, MessageWriter
+from cotouch.control import MOST_BODY, MessageReader, MessageRefusal, MessageWriter, SignedMessage
 
 SESSION = bytes(range(32))
 WHO = identities(4)
@@ -78,7 +78,7 @@ def noise(count: int, *, limited: bool) -> None:
     assert limited or {MessageRefusal.OWN, MessageRefusal.TOPIC, MessageRefusal.FORGED} <= set(reader.refused)
     assert limited is (MessageRefusal.RATE in reader.refused)
     # And it still hears who is heard.
-    assert isinstance(reader.read(good[0], 1e-5 * count + 60.0), Message)
+    assert isinstance(reader.read(good[0], 1e-5 * count + 60.0), SignedMessage)
 
 
 def test_noise_that_is_checked():

@@ -23,9 +23,9 @@ from cotouch.control import (
     ControlRouter,
     Endpoint,
     Invitation,
-    Message,
     MessageWriter,
     Relayed,
+    SignedMessage,
     ZenohControl,
     free_port,
     make_certificates,
@@ -98,7 +98,7 @@ def test_no_two_members_listen_at_the_same_key(stack: ExitStack, monkeypatch: py
     assert not spied[0] & spied[1]
     other.send("nonces", b"to all")
     one.send("nonces", b"to one", to=other.identity.public)
-    received: list[list[Message]] = [[], []]
+    received: list[list[SignedMessage]] = [[], []]
     until(
         lambda: (
             [said.extend(plane.poll()) for said, plane in zip(received, (one, other), strict=True)] and all(received)

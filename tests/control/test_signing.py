@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.live.support import entropy, identities
 
-from cotouch.control import MOST_BODY, MOST_MESSAGE, Message, MessageReader, MessageRefusal, MessageWriter
+from cotouch.control import MOST_BODY, MOST_MESSAGE, MessageReader, MessageRefusal, MessageWriter, SignedMessage
 from cotouch.errors import SessionError
 from cotouch.samples import Identity
 
@@ -27,14 +27,14 @@ topics = st.from_regex(r"[a-z0-9]{1,9}(\.[a-z0-9]{1,9}){0,3}", fullmatch=True)
 @given(topics, st.binary(max_size=2000), st.booleans())
 def test_what_is_written_is_read(topic: str, body: bytes, direct: bool):
     message = writer().write(topic, body, TWO.public if direct else None)
-    assert reader().read(message, 0.0) == Message(ONE.public, topic, body, direct)
+    assert reader().read(message, 0.0) == SignedMessage(ONE.public, topic, body, direct)
 
 
 def test_the_longest_message():
     topic = "t" * 64
     message = writer().write(topic, bytes(MOST_BODY))
     assert len(message) == MOST_MESSAGE
-    assert reader().read(message, 0.0) == Message(ONE.public, topic, bytes(MOST_BODY), direct=False)
+    assert reader().read(message, 0.0) == SignedMessage(ONE.public, topic, bytes(MOST_BODY), direct=False)
     longer = writer().write("t", bytes(MOST_BODY + 1))
     assert reader().read(longer, 0.0) is MessageRefusal.SIZE
 
@@ -46,7 +46,7 @@ def test_every_bit_counts():
         changed = bytearray(message)
         changed[bit // 8] ^= 1 << bit % 8
         assert isinstance(listener.read(bytes(changed), 0.0), MessageRefusal)
-    assert isinstance(listener.read(message, 0.0), Message)
+    assert isinstance(listener.read(message, 0.0), SignedMessage)
 
 
 def test_a_message_is_for_one_session_and_one_member():
@@ -98,30 +98,30 @@ def test_a_start_is_a_unix_time(started: int):
 def test_one_sender_is_limited_before_anything_is_checked():
     listener = reader(rate=10.0, burst=30.0)
     said = writer()
-    assert isinstance(listener.read(said.write("a", b""), 0.0), Message)
+    assert isinstance(listener.read(said.write("a", b""), 0.0), SignedMessage)
     out = [listener.read(said.write("a", b""), 0.0) for _ in range(100)]
-    taken = sum(isinstance(one, Message) for one in out)
+    taken = sum(isinstance(one, SignedMessage) for one in out)
     assert 25 <= taken <= 30
     assert set(out[40:]) == {MessageRefusal.RATE}
     # Strangers share their buckets by chance.
     others = [writer(Identity.make(entropy(member))).write("a", b"") for member in range(20, 40)]
-    assert sum(isinstance(listener.read(other, 0.0), Message) for other in others) > 10
-    assert isinstance(listener.read(said.write("a", b""), 1.0), Message)
+    assert sum(isinstance(listener.read(other, 0.0), SignedMessage) for other in others) > 10
+    assert isinstance(listener.read(said.write("a", b""), 1.0), SignedMessage)
 
 
 def test_long_messages_count_for_more():
     listener, said = reader(rate=10.0, burst=200.0), writer()
     listener.read(said.write("a", b""), 0.0)
     long = [listener.read(said.write("a", bytes(MOST_BODY)), 0.0) for _ in range(50)]
-    assert sum(isinstance(one, Message) for one in long) == 11
+    assert sum(isinstance(one, SignedMessage) for one in long) == 11
 
 
 def test_all_together_are_limited():
     listener = reader(rate=400.0, burst=400.0, total=0.1)
     messages = [writer(Identity.make(entropy(member))).write("a", b"") for member in range(60)]
-    taken = [isinstance(listener.read(message, 0.0), Message) for message in messages]
+    taken = [isinstance(listener.read(message, 0.0), SignedMessage) for message in messages]
     assert taken == [True] * 39 + [False] * 21
-    assert isinstance(listener.read(writer().write("a", b""), 1.0), Message)
+    assert isinstance(listener.read(writer().write("a", b""), 1.0), SignedMessage)
 
 
 def test_made_up_senders_are_bounded(monkeypatch: pytest.MonkeyPatch):
@@ -131,7 +131,7 @@ def test_made_up_senders_are_bounded(monkeypatch: pytest.MonkeyPatch):
     made = [writer(Identity.make(entropy(member))) for member in range(9)]
     out = [listener.read(one.write("a", b""), 0.0) for one in made]
     assert out[5:] == [MessageRefusal.STRANGERS] * 4
-    assert isinstance(listener.read(made[0].write("a", b""), 0.0), Message)
+    assert isinstance(listener.read(made[0].write("a", b""), 0.0), SignedMessage)
 
 
 def test_what_is_refused_changes_nothing_but_a_counter():
@@ -140,7 +140,7 @@ def test_what_is_refused_changes_nothing_but_a_counter():
     forged = message[:-1] + bytes([message[-1] ^ 1])
     assert listener.read(forged, 0.0) is MessageRefusal.FORGED
     assert (listener._last, listener._keys, listener._limit._known) == ({}, {}, {})
-    assert isinstance(listener.read(message, 0.0), Message)
+    assert isinstance(listener.read(message, 0.0), SignedMessage)
 
 
 def test_who_left_leaves_its_last_counter_and_no_more(monkeypatch: pytest.MonkeyPatch):
@@ -151,12 +151,12 @@ def test_who_left_leaves_its_last_counter_and_no_more(monkeypatch: pytest.Monkey
     made = [writer(Identity.make(entropy(member))) for member in range(20)]
     old = [one.write("a", b"1") for one in made]
     for one, message in zip(made, old, strict=True):  # they come and go: more than are known at a time
-        assert isinstance(listener.read(message, 0.0), Message)
+        assert isinstance(listener.read(message, 0.0), SignedMessage)
         listener.forget(one._identity.public)
         listener.forget(one._identity.public)
     assert (len(listener._keys), len(listener._last), len(listener._limit._known), len(listener._gone)) == (0, 0, 0, 4)
     assert [listener.read(message, 0.0) for message in old[-4:]] == [MessageRefusal.REPLAYED] * 4
-    assert isinstance(listener.read(made[-1].write("a", b"2"), 0.0), Message)  # it was only cut off
+    assert isinstance(listener.read(made[-1].write("a", b"2"), 0.0), SignedMessage)  # it was only cut off
     assert listener.read(old[-1], 0.0) is MessageRefusal.REPLAYED
     assert len(listener._gone) == 3
 
@@ -167,4 +167,4 @@ def test_a_counter_near_its_end_is_refused(start: int):
     said, listener = writer(started=start), reader()
     received = [listener.read(said.write("a", b""), 0.0) for _ in range(3)]
     assert received[-2:] == [MessageRefusal.COUNTER] * 2
-    assert isinstance(received[0], Message) == (start == 2**63 - 2)
+    assert isinstance(received[0], SignedMessage) == (start == 2**63 - 2)

@@ -7,7 +7,7 @@ import numpy as np
 from tests.device.inside import tick
 
 from cotouch.device import DEVICE_LEDGER, Devices, DeviceState, advance
-from cotouch.mechanics import END, PSPM, EnergyMessage, book_end, end_row, hear, message_of
+from cotouch.mechanics import END, PSPM_COUPLING, EnergyMessage, book_end, end_row, hear, message_of
 
 Array = np.ndarray
 CHARGED = DEVICE_LEDGER.index("charged")
@@ -70,7 +70,7 @@ class Proxy:
     def __init__(self, mass: float, stiffness: float, damping: float, cap: float, place: Array) -> None:
         self.mass, self.place, self.speed, self.work = mass, place, np.zeros(3), 0.0
         self.rows = end_row(stiffness=stiffness, damping=damping, cap=cap)[None, :]
-        self._law = PSPM.half(proxy=True)
+        self._law = PSPM_COUPLING.half(proxy=True)
 
     @property
     def message(self) -> EnergyMessage:

@@ -61,7 +61,7 @@ def moved(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Moved:
     time = bare.columns["end"] - bare.columns["end"][0]
     place = 0.1 + 0.02 * np.stack([np.sin(9 * time), np.cos(7 * time), time], axis=1)
     places = np.stack([np.full_like(place, np.nan), place], axis=1)
-    with_tools = replace(bare, columns={**bare.columns, "tool_place": places})
+    with_tools = replace(bare, columns={**bare.columns, "tool_position": places})
     monkeypatch.setattr("cotouch.drivers._recorded.read_recording", lambda _path: with_tools)
     return Moved(path, time, place)
 

@@ -19,7 +19,7 @@ from cotouch.haptics import (
     Servo,
     ServoReport,
     ServoSettings,
-    size,
+    norm,
 )
 from cotouch.mechanics import EnergyMessage
 
@@ -89,16 +89,16 @@ def any_device(request: pytest.FixtureRequest, tmp_path: Path) -> Generator[tupl
 
 def strong(report: ServoReport) -> bool:
     """Back in full: no ramp any more."""
-    return not report.causes & Cause.RAMP and size(report.force) > 0.5
+    return not report.causes & Cause.RAMP and norm(report.force) > 0.5
 
 
 def rises(reports: list[tuple[float, ServoReport]]) -> None:
     """From nothing, by the ramp of half a second, however late cycles were."""
-    start = next(k for k, (_, report) in enumerate(reports) if size(report.force) == 0.0)
+    start = next(k for k, (_, report) in enumerate(reports) if norm(report.force) == 0.0)
     begun = reports[start][0] - RAMP_SLACK
     for ended, report in reports[start:]:
-        assert size(report.force) <= (ended - begun) / 0.5 * size(report.wanted) * (1 + 1e-9)
-    assert size(reports[-1][1].force) > 0.5
+        assert norm(report.force) <= (ended - begun) / 0.5 * norm(report.wanted) * (1 + 1e-9)
+    assert norm(reports[-1][1].force) > 0.5
 
 
 def test_a_pause_takes_the_force_and_gives_it_back(any_device: tuple[Loop, Board]):
@@ -132,7 +132,7 @@ def test_the_force_button_takes_the_force_and_gives_it_back(omega: Loop, board: 
     assert len(noticed) <= 20
     loop.rearm += 1  # what a hand took, nobody else gives back
     off = [loop.cycle() for _ in range(100)]
-    assert all(report.causes & Cause.DEVICE and size(report.force) == 0.0 for report in off)
+    assert all(report.causes & Cause.DEVICE and norm(report.force) == 0.0 for report in off)
     assert board.get("enabled") == 0
     time.sleep(2 * PAUSE)  # nor does a pause
     [loop.cycle() for _ in range(50)]

@@ -13,9 +13,9 @@ from tests.drivers.inside import ForceDimension, Touch, quaternion_of
 from tests.drivers.standin import Board, Fault
 from tests.stalls import Stalls
 
-from cotouch.haptics import FORCE_DIMENSION, OPENHAPTICS, Flag
+from cotouch.haptics import FORCE_DIMENSION_FRAME, OPENHAPTICS_FRAME, Flag
 
-AXES = {"sigma.7": FORCE_DIMENSION, "Premium 6DOF": OPENHAPTICS}
+AXES = {"sigma.7": FORCE_DIMENSION_FRAME, "Premium 6DOF": OPENHAPTICS_FRAME}
 Device6 = ForceDimension | Touch
 OFF = np.zeros(3)
 

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from cotouch.errors import OutputError, ScenarioError
-from cotouch.files import beside, folder, prepare, write
+from cotouch.files import beside, check_writable, folder, write
 
 OLD, NEW = b"what was there before", b"new" * 1000
 
@@ -83,7 +83,7 @@ def test_a_link_is_followed(tmp_path: Path, there: bool) -> None:
 def test_links_in_a_ring_are_a_sentence(tmp_path: Path) -> None:
     (tmp_path / "a").symlink_to("b")
     (tmp_path / "b").symlink_to("a")
-    for attempt in (lambda: write(tmp_path / "a", NEW, "result"), lambda: prepare(tmp_path / "a")):
+    for attempt in (lambda: write(tmp_path / "a", NEW, "result"), lambda: check_writable(tmp_path / "a")):
         with pytest.raises(OutputError, match="Too many levels of symbolic links"):
             attempt()
 
@@ -91,7 +91,7 @@ def test_links_in_a_ring_are_a_sentence(tmp_path: Path) -> None:
 def test_devices_are_written_to(tmp_path: Path) -> None:
     (tmp_path / "null").symlink_to("/dev/null")
     for path in ("/dev/null", tmp_path / "null"):
-        prepare(Path(path), (".nc",))
+        check_writable(Path(path), (".nc",))
         write(path, NEW, "result")
     assert (tmp_path / "null").is_symlink()
     assert stat.S_ISCHR(Path("/dev/null").stat().st_mode)
@@ -102,7 +102,7 @@ def test_devices_are_written_to(tmp_path: Path) -> None:
 def test_pipes_are_written_to_also_if_nobody_reads_on(tmp_path: Path) -> None:
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
-    prepare(pipe, (".nc",))
+    check_writable(pipe, (".nc",))
     heard: list[bytes] = []
     reader = threading.Thread(target=lambda: heard.append(pipe.read_bytes()))
     reader.start()
@@ -160,22 +160,22 @@ class TestPrepare:
         os.link(old, old.parent / "hard.nc")
         for name in ("x.nc", "link.nc", "hard.nc", "./x.nc"):
             with pytest.raises(OutputError, match=r"is read by this command \(.*x.nc\) and would be overwritten"):
-                prepare(old.parent / name, inputs=(old.parent / "none", old))
+                check_writable(old.parent / name, inputs=(old.parent / "none", old))
         with pytest.raises(OutputError, match="would be overwritten"):
             beside(old.parent, ("a.nc", "x.nc"), (old,))
-        prepare(old, inputs=(old.parent / "none",))
+        check_writable(old, inputs=(old.parent / "none",))
 
     def test_suffixes(self, tmp_path: Path) -> None:
         for name in ("x.mat", "x", "x.nc.gz"):
             with pytest.raises(OutputError, match=r'x.* ends in ".*"; its name must end in .a, .b or .nc'):
-                prepare(tmp_path / name, (".a", ".b", ".nc"))
-        prepare(tmp_path / "x.NC", (".a", ".b", ".nc"))
+                check_writable(tmp_path / name, (".a", ".b", ".nc"))
+        check_writable(tmp_path / "x.NC", (".a", ".b", ".nc"))
 
     def test_folders(self, tmp_path: Path) -> None:
         with pytest.raises(OutputError, match="is a folder; name a file"):
-            prepare(tmp_path)
+            check_writable(tmp_path)
         with pytest.raises(OutputError, match="does not exist; create it first"):
-            prepare(tmp_path / "no" / "x")
+            check_writable(tmp_path / "no" / "x")
         (tmp_path / "file").touch()
         with pytest.raises(OutputError, match="cannot be created: "):
             folder(tmp_path / "file" / "x")
@@ -185,11 +185,11 @@ class TestPrepare:
     def test_a_folder_that_others_own(self, tmp_path: Path) -> None:
         tmp_path.chmod(0o500)
         with pytest.raises(OutputError, match=os.strerror(errno.EACCES)):
-            prepare(tmp_path / "x")
+            check_writable(tmp_path / "x")
 
     def test_a_name_with_a_zero_in_it(self) -> None:
         with pytest.raises(OutputError, match="null byte"):
-            prepare(Path("a\0b"))
+            check_writable(Path("a\0b"))
         with pytest.raises(OutputError, match="null byte"):
             write("a\0b", NEW, "result")
 

@@ -16,8 +16,8 @@ from cotouch.haptics import (
     SafetyLimits,
     ServoCore,
     SimulatedOnClock,
+    norm,
     simulated_model,
-    size,
 )
 from cotouch.mechanics import EnergyMessage
 
@@ -113,7 +113,7 @@ def test_a_peer_that_falls_silent_is_faded_out_and_back():
     ran = run(
         made("phantom", clock), SPECS["phantom"], seconds=3.0, peer=500.0, clock=clock, body=wall, silent=(1.5, 2.0)
     )
-    forces = [(report.time, size(report.force), report.causes) for report in ran.reports]
+    forces = [(report.time, norm(report.force), report.causes) for report in ran.reports]
     assert max(f for t, f, _ in forces if 1.4 < t < 1.5) > 0.3
     assert all(f == 0.0 for t, f, _ in forces if 1.59 < t < 2.0)
     assert all(c & Cause.QUIET for t, _, c in forces if 1.53 < t < 1.57)
@@ -125,7 +125,7 @@ class Lying:
 
     def __init__(self, spec, limits, options):
         self._core = ServoCore(spec, limits, options)
-        self._core.end.decide = lambda desired, rate, message, T: tuple(5.0 * np.array(rate) / (1e-9 + size(rate)))
+        self._core.end.decide = lambda desired, rate, message, T: tuple(5.0 * np.array(rate) / (1e-9 + norm(rate)))
 
     def __getattr__(self, name):
         return getattr(self._core, name)
@@ -136,7 +136,7 @@ def test_the_observer_stops_what_makes_energy():
     core = Lying(spec, SafetyLimits.of(spec), EndOptions())
     ran = run(made("cartesian", clock), spec, seconds=1.5, peer=500.0, clock=clock, core=core)
     assert ran.reports[-1].causes & Cause.ACTIVE
-    assert size(ran.reports[-1].force) == 0.0
+    assert norm(ran.reports[-1].force) == 0.0
     first = next(report for report in ran.reports if report.causes & Cause.ACTIVE)
     assert first.work < 0.1
 

@@ -5,14 +5,14 @@ import pytest
 
 from cotouch.errors import DeviceError
 from cotouch.haptics import (
-    FORCE_DIMENSION,
+    FORCE_DIMENSION_FRAME,
     FRAMES,
-    HAPLY,
-    OPENHAPTICS,
-    OPENXR,
+    HAPLY_FRAME,
+    OPENHAPTICS_FRAME,
+    OPENXR_FRAME,
     SIMULATED,
     DeviceChoice,
-    Frame,
+    DeviceFrame,
     device_names,
     driver,
     make_device,
@@ -90,7 +90,7 @@ def test_an_opened_device_answers_and_is_off():
 
 
 @pytest.mark.parametrize("frame", FRAMES.values(), ids=FRAMES)
-def test_frames_are_right_handed_and_go_back(frame: Frame):
+def test_frames_are_right_handed_and_go_back(frame: DeviceFrame):
     assert np.linalg.det(frame.matrix) == pytest.approx(1.0)
     theirs = np.array([0.3, -0.5, 0.7])
     np.testing.assert_allclose(frame.place(theirs), frame.unit * frame.matrix @ theirs)
@@ -104,23 +104,23 @@ def test_frames_are_right_handed_and_go_back(frame: Frame):
 def test_frames_are_those_of_the_vendors():
     """Where each device's own axes point, in ours: forward, left, up."""
     forward, left, up = np.eye(3)
-    np.testing.assert_array_equal(HAPLY.direction([1, 0, 0]), -left)
-    np.testing.assert_array_equal(HAPLY.direction([0, 1, 0]), forward)
-    np.testing.assert_array_equal(OPENHAPTICS.place([0, 0, 1000]), -forward)
-    np.testing.assert_array_equal(OPENHAPTICS.place([1000, 0, 0]), -left)
-    np.testing.assert_array_equal(OPENHAPTICS.direction([0, 1, 0]), up)
-    np.testing.assert_array_equal(FORCE_DIMENSION.direction([1, 0, 0]), -forward)
-    np.testing.assert_array_equal(FORCE_DIMENSION.direction([0, 1, 0]), -left)
-    np.testing.assert_array_equal(OPENXR.direction([0, 1, 0]), up)
-    np.testing.assert_array_equal(OPENXR.direction([0, 0, -1]), forward)
+    np.testing.assert_array_equal(HAPLY_FRAME.direction([1, 0, 0]), -left)
+    np.testing.assert_array_equal(HAPLY_FRAME.direction([0, 1, 0]), forward)
+    np.testing.assert_array_equal(OPENHAPTICS_FRAME.place([0, 0, 1000]), -forward)
+    np.testing.assert_array_equal(OPENHAPTICS_FRAME.place([1000, 0, 0]), -left)
+    np.testing.assert_array_equal(OPENHAPTICS_FRAME.direction([0, 1, 0]), up)
+    np.testing.assert_array_equal(FORCE_DIMENSION_FRAME.direction([1, 0, 0]), -forward)
+    np.testing.assert_array_equal(FORCE_DIMENSION_FRAME.direction([0, 1, 0]), -left)
+    np.testing.assert_array_equal(OPENXR_FRAME.direction([0, 1, 0]), up)
+    np.testing.assert_array_equal(OPENXR_FRAME.direction([0, 0, -1]), forward)
 
 
 def test_orientations_turn_about_the_same_axis():
     half = np.sqrt(0.5)
-    np.testing.assert_allclose(OPENHAPTICS.orientation([0, half, 0, half]), [0, 0, half, half])  # about up
+    np.testing.assert_allclose(OPENHAPTICS_FRAME.orientation([0, half, 0, half]), [0, 0, half, half])  # about up
 
 
 @pytest.mark.parametrize(("rows", "unit"), [((1, 2, -3), 1.0), ((1, 1, 2), 1.0), ((2, 1, 3), 1.0), ((1, 2, 3), 0.0)])
 def test_frames_that_are_none_are_refused(rows: tuple[int, int, int], unit: float):
     with pytest.raises(DeviceError, match="must be"):
-        Frame(rows, unit)
+        DeviceFrame(rows, unit)

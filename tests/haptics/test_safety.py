@@ -12,7 +12,7 @@ from tests.thorough import examples
 
 from cotouch.device import PRESETS
 from cotouch.errors import DeviceError
-from cotouch.haptics import Cause, Heat, Observation, SafetyChain, SafetyLimits, saturate, silence, size, slew, spoken
+from cotouch.haptics import Cause, Heat, Observation, SafetyChain, SafetyLimits, norm, saturate, silence, slew, spoken
 
 LIMITS = SafetyLimits.of(PRESETS["touch"])
 anything = st.floats(allow_nan=True, allow_infinity=True)
@@ -46,8 +46,8 @@ def test_whatever_comes_in_what_comes_out_keeps_every_limit(cycles):
         assert 0.0 <= fraction <= 1.0
         out = tuple(fraction * value for value in wanted) if fraction else (0.0, 0.0, 0.0)
         assert all(math.isfinite(value) for value in out)
-        length = size(out)
-        broken |= not (math.isfinite(size(wanted)) and math.isfinite(speed))
+        length = norm(out)
+        broken |= not (math.isfinite(norm(wanted)) and math.isfinite(speed))
         latched |= speed > LIMITS.speed or excess > 0.0
         off = broken or latched or not enabled or not follows
         off |= not age < LIMITS.zero_after or not stale < LIMITS.zero_after or min(STOOD, LIMITS.zero_after) < T
@@ -58,11 +58,11 @@ def test_whatever_comes_in_what_comes_out_keeps_every_limit(cycles):
         else:
             back = now if back is None else back
             bound = min((now - back) / LIMITS.ramp, 1.0) * silence(age, LIMITS.fade_after, LIMITS.zero_after)
-            assert length <= bound * size(wanted) * (1 + 1e-9)
+            assert length <= bound * norm(wanted) * (1 + 1e-9)
         assert length <= LIMITS.force * (1 + 1e-9)
         # No farther than the slew limit from all that lies between nothing and the force before.
         assert _distance(out, before) <= LIMITS.force * min(1.0, T / LIMITS.rise) * (1 + 1e-6) + 1e-9
-        heat += T / (LIMITS.heat + T) * (size(before) ** 2 - heat)
+        heat += T / (LIMITS.heat + T) * (norm(before) ** 2 - heat)
         assert heat <= LIMITS.continuous**2 * (1 + 1e-9)
         before = out
 

@@ -15,7 +15,7 @@ from cotouch.haptics import (
     ServoCore,
     ServoReport,
     SimulatedOnClock,
-    size,
+    norm,
 )
 
 Array = np.ndarray
@@ -68,7 +68,7 @@ def check_passive(ran: Ran, spec: DeviceSpec) -> None:
     assert ran.excess <= ran.bound
     assert max(report.excess for report in ran.reports) <= 0.0  # the observer has nothing to say
     assert not any(report.causes & (Cause.FAULT | Cause.ACTIVE) for report in ran.reports)
-    assert max(size(report.force) for report in ran.reports) <= SafetyLimits.of(spec).force * (1 + 1e-12)
+    assert max(norm(report.force) for report in ran.reports) <= SafetyLimits.of(spec).force * (1 + 1e-12)
 
 
 def run(

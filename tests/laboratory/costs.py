@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from cotouch.laboratory import Study, ideal, measured
+from cotouch.laboratory import Study, ideal, measures_of
 from cotouch.simulation import prepare
 
 DELAY = 0.025
@@ -14,4 +14,4 @@ def cost(law: Any, task: str, *, delay: float = DELAY, measure: str = "cost", **
     users = whole.users[0]
     hands = whole.task(task, users, whole.hands[0], 0)
     prepared = prepare(whole.scenario(whole.laws[0], whole.networks[0], users, hands))
-    return measured(whole.laws[0], prepared, ideal(whole, hands))[measure]
+    return measures_of(whole.laws[0], prepared, ideal(whole, hands))[measure]

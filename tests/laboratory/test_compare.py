@@ -29,7 +29,7 @@ from tests.laboratory.inside import (
 from tests.laws.scenes import law_of
 
 from cotouch.errors import ScenarioError
-from cotouch.laboratory import MEASURES, Study, broken, compare, ideal, mean_cost, measured, write_report
+from cotouch.laboratory import MEASURES, Study, broken, compare, ideal, mean_cost, measures_of, write_report
 from cotouch.laws import End, copy, register
 from cotouch.simulation import discrepancy, prepare, simulate
 
@@ -57,7 +57,7 @@ def test_rigid_links_without_delay_are_the_ideal(task: str, users: int) -> None:
     whole = study(spring=RIGID, period=FINE, networks=[{"name": "none", "delay": 0.0}])
     hands = whole.task(task, users, whole.hands[0], 0)
     bare = LawTable(law="spring", damping=0.0)
-    found = measured(bare, prepare(whole.scenario(bare, whole.networks[0], users, hands)), ideal(whole, hands))
+    found = measures_of(bare, prepare(whole.scenario(bare, whole.networks[0], users, hands)), ideal(whole, hands))
     assert found["cost"] < 0.2 * (users - 1) ** 1.5
     assert found["place"] < 1e-3
     assert found["made"] == 0.0
@@ -67,7 +67,7 @@ def test_measures_are_those_of_a_run_of_its_own() -> None:
     whole = study()
     hands = whole.task("tug", 2, whole.hands[0], 0)
     scenario = whole.scenario(whole.laws[1], whole.networks[1], 2, hands, seed=5)
-    found, run = measured(whole.laws[1], prepare(scenario), ideal(whole, hands)), simulate(scenario)
+    found, run = measures_of(whole.laws[1], prepare(scenario), ideal(whole, hands)), simulate(scenario)
     assert found["apart"] == pytest.approx(discrepancy(run)["rms"], rel=1e-9)
     assert found["extracted"] == pytest.approx(float(run.attrs["extracted"]), abs=1e-15)
     force = run["force"].values[:, 1:, 0]

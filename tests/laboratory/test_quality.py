@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cotouch.arrays import Float
-from cotouch.laboratory import Study, etvo, hpw_psnr, ideal, measured, psnr
+from cotouch.laboratory import Study, etvo, hpw_psnr, ideal, measures_of, psnr
 from cotouch.simulation import prepare
 
 TIME = np.arange(0.0, 4.0, 1e-3)[:, None]
@@ -54,7 +54,7 @@ def test_a_comparison_says_what_a_codec_saves_and_costs() -> None:
         )
         hands = study.task("carry", 2, study.hands[0], 0)
         prepared = prepare(study.scenario(study.laws[0], study.networks[0], 2, hands))
-        found.append(measured(study.laws[0], prepared, ideal(study, hands)))
+        found.append(measures_of(study.laws[0], prepared, ideal(study, hands)))
     full, less = found
     assert full["packets"] == 250.0
     assert full["bandwidth"] == 250.0 * 8 * 3  # x̂, U and E

@@ -21,7 +21,7 @@ from tests.laboratory.inside import (
 from tests.laws.scenes import PASSIVE, law_of
 
 from cotouch.errors import ScenarioError
-from cotouch.laboratory import Study, ideal, measured
+from cotouch.laboratory import Study, ideal, measures_of
 from cotouch.laws import register
 from cotouch.simulation import prepare, run_batch, with_hands
 
@@ -43,7 +43,7 @@ def study(**tables: Any) -> Study:
 def costs(name: str, delay: float, *, period: float = 1e-3, **tables: Any) -> dict[str, float]:
     whole = study(laws=[{"replica": name}], networks=[{"name": "there", "delay": delay}], period=period, **tables)
     hands = whole.task("tug", 2, whole.hands[0], 0)
-    return measured(whole.laws[0], with_hands(drawn(whole, 0, {}), hands), ideal(whole, hands))
+    return measures_of(whole.laws[0], with_hands(drawn(whole, 0, {}), hands), ideal(whole, hands))
 
 
 @pytest.mark.parametrize("name", ["rollback", "owner", "lockstep", "broadcast"])
@@ -121,7 +121,7 @@ def test_a_server_with_bare_springs_on_its_spokes_makes_energy() -> None:
 
 @pytest.mark.parametrize(
     ("law", "stiffness", "nearer"),
-    [("spring", 50.0, 50.0), ({"kind": "wave", "impedance": 2.0, "seed": 0.01}, 2.0 / 0.025, 2.0 / 1.5e-3)],
+    [("spring", 50.0, 50.0), ({"kind": "wave", "impedance": 2.0, "initial_energy": 0.01}, 2.0 / 0.025, 2.0 / 1.5e-3)],
 )
 def test_two_who_pull_at_a_server_feel_its_spokes_one_after_the_other(
     law: Any, stiffness: float, nearer: float

@@ -81,7 +81,7 @@ def test_the_seed_can_be_varied() -> None:
     found = sweep(loose, {"seed": [1, 2, 1]})
     one, two_, again = found["rms"].values.tolist()
     assert one == again != two_
-    assert float(found["law_seed"][0]) == simulate(loose.replace(seed=1)).attrs["law_seed"]
+    assert float(found["law_initial_energy"][0]) == simulate(loose.replace(seed=1)).attrs["law_initial_energy"]
 
 
 def test_a_file_that_changed_is_read_anew(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ import pytest
 from tests.laboratory.costs import DELAY, cost
 from tests.laws.scenes import AS_LAW, PASSIVE, law_of, two
 
-from cotouch.laboratory import Study, books, impedance, searched, touching, trial
+from cotouch.laboratory import Study, impedance, made_energy, searched, touching, trial
 from cotouch.laws import PAID, TANK, End, Facts, Tone, copy, given_power, laws, register
 from cotouch.laws._paid_fields import (
     A2,
@@ -244,15 +244,15 @@ def test_no_random_scenario_makes_a_passive_law_give_more_than_its_seed() -> Non
     """`python -m benchmarks.promises` does so in ten thousand."""
     for number in range(20):
         prepared = prepare(trial(number))
-        for law in ["spring", *PASSIVE, {"kind": "pspm", "damping": 0.0, "seed": 0.001}]:
-            found = books(with_law(prepared, law))
+        for law in ["spring", *PASSIVE, {"kind": "pspm", "damping": 0.0, "initial_energy": 0.001}]:
+            found = made_energy(with_law(prepared, law))
             assert found.kept, (number, law, found)
             assert found.residual <= 1e-11 * found.play, (number, law)
 
 
 def test_a_run_with_another_law_is_that_of_the_whole_preparation() -> None:
     given = {"kind": "wave", "impedance": "2x"}
-    assert books(with_law(prepare(trial(1)), given)) == books(prepare(trial(1, given)))
+    assert made_energy(with_law(prepare(trial(1)), given)) == made_energy(prepare(trial(1, given)))
 
 
 def _leaking(end: End) -> None:
@@ -269,7 +269,7 @@ def _leaking(end: End) -> None:
 @pytest.mark.parametrize("broken", [False, True])
 def test_a_law_that_leaks_a_little_is_found_at_random_and_by_a_search(broken: bool) -> None:
     register(replace(TANK, name="leaking tank", _parts=[], **({"after": _leaking} if broken else {})))
-    kept = [books(prepare(trial(number, "leaking tank"))).kept for number in range(10, 19)]
+    kept = [made_energy(prepare(trial(number, "leaking tank"))).kept for number in range(10, 19)]
     assert all(kept) is not broken
     assert searched("leaking tank", 40).kept is not broken
 
@@ -571,7 +571,7 @@ def _finger(user: int, side: float) -> dict[str, Any]:
 def _swing(scenario: Scenario) -> float:
     """Peak to peak of the sum of what two tools feel who hold an object still between them, in the last fifth [N]."""
     run = simulate(scenario)
-    assert run.attrs["made"] <= run.attrs["law_seed"]
+    assert run.attrs["made"] <= run.attrs["law_initial_energy"]
     force = run["touch_force"].values.sum(axis=0)
     assert np.abs(run["touch_force"].values[:, -1, 0]).min() > 2.0
     return float(np.ptp(force[-force.shape[0] // 5 :], axis=0).max())
@@ -659,7 +659,7 @@ def _lifted(law: str, users: int, where: dict[str, Any]) -> Any:
         tools=[_finger(1, -1.0), _finger(users, 1.0)],
     )
     run = simulate(scenario)
-    assert law != "paid" or run.attrs["made"] <= run.attrs["law_seed"]
+    assert law != "paid" or run.attrs["made"] <= run.attrs["law_initial_energy"]
     assert float(abs(run["residual"]).max()) < 1e-9
     middle = run["position"].values.mean(axis=2)
     return middle - middle[:, :1]
@@ -679,7 +679,7 @@ def test_to_paid_fingers_that_lift_a_block_between_them_are_felt_by_both(
 
 
 def test_what_paid_may_make_is_a_copys_whatever_its_body() -> None:
-    at = [parameter.name for parameter in PAID.parameters].index("seed")
+    at = [parameter.name for parameter in PAID.parameters].index("initial_energy")
     seeds = [PAID.values(Facts(spring=1.0, age=0.02, age_back=0.02, degree=2, rows=rows), {})[at] for rows in (1, 400)]
     assert seeds == [0.01, 0.01]
 
@@ -688,10 +688,10 @@ def test_what_paid_may_make_is_a_copys_whatever_its_body() -> None:
 def test_paid_makes_no_more_than_its_seed_where_tools_touch(number: int) -> None:
     """On a floor, the first two, and held without weight; `python -m benchmarks.promises` does so in a thousand."""
     run = simulate(touching(number))
-    books = run.attrs
+    made = run.attrs
     assert float(np.nanmax(np.abs(run["touch_force"].values))) > 0.1
-    assert books["finished"]
-    assert 0.0 < books["made"] <= books["law_seed"]
+    assert made["finished"]
+    assert 0.0 < made["made"] <= made["law_initial_energy"]
     assert float(abs(run["residual"]).max()) < 1e-11 * float(abs(run["supplied_total"]).max())
 
 

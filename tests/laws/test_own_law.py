@@ -134,7 +134,7 @@ def test_a_law_that_lies_about_its_energy_is_caught() -> None:
     register(replace(AHEAD, name="liar", passive=True, _parts=[]))
     judged = judge(simulate(scenario("liar")))
     assert judged["promised"]
-    assert judged["made_j"] > judged["seed_j"] == 0.0
+    assert judged["made_j"] > judged["initial_energy_j"] == 0.0
     assert not judged["kept"]
     assert judged["law"] == "liar"
 
@@ -299,7 +299,7 @@ def test_a_law_for_constant_delays_has_them_by_an_index() -> None:
         ({"kind": "wave", "filter": nan}, "synchronisation.law.filter is nan; it must be a number at least 0"),
         (
             {"kind": "wave", "width": 1.0},
-            'law.width is not a parameter of law "wave", which has: impedance, filter, seed',
+            'law.width is not a parameter of law "wave", which has: impedance, filter, initial_energy',
         ),
     ],
 )
@@ -315,7 +315,7 @@ HAND = OriginForce(force="w", integral="P", double="Q", stiffness="k", damping="
 @pytest.mark.parametrize(
     ("declared", "sentence"),
     [
-        ({"seed": "sed"}, 'declares the seed "sed", which is not one of its parameters'),
+        ({"initial_energy": "energy"}, 'declares the initial energy "energy", which is not one of its parameters'),
         ({"energies": ("E",)}, 'declares "E", which is not one of the numbers that it sends'),
         ({"sums": ("w", "no")}, 'declares the sum "no", which is not one of the fields that it sends'),
         ({"origin_force": replace(HAND, force="P")}, 'declares "P" of a hand, which is not a field that is no sum'),

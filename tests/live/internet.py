@@ -4,7 +4,7 @@ import heapq
 import random
 from collections.abc import Callable, Hashable
 
-from cotouch.control import Message, Relayed
+from cotouch.control import Relayed, SignedMessage
 from cotouch.errors import TransportError
 from cotouch.samples import MOST_BYTES, Address, Arrival, Identity, Traffic
 
@@ -170,7 +170,7 @@ class MemoryControl:
 
     def __init__(self, exchange: Exchange, identity: Identity) -> None:
         self._exchange, self._identity = exchange, identity
-        self._said: list[Message] = []
+        self._said: list[SignedMessage] = []
         self._relayed: list[Relayed] = []
 
     @property
@@ -184,9 +184,9 @@ class MemoryControl:
     def send(self, topic: str, body: bytes, *, to: bytes | None = None) -> None:
         for member in self.present() if to is None else {to} & self.present():
             for other in self._reached(member):
-                other._said.append(Message(self._identity.public, topic, body, to is not None))
+                other._said.append(SignedMessage(self._identity.public, topic, body, to is not None))
 
-    def poll(self) -> list[Message]:
+    def poll(self) -> list[SignedMessage]:
         out, self._said = self._said, []
         return out
 

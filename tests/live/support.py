@@ -10,13 +10,13 @@ import numpy as np
 from cotouch.samples import (
     Agreement,
     Assembly,
-    Codec,
     Heading,
     Identity,
     Layout,
     LinkKeys,
     MemoryNetwork,
     PathLaw,
+    SampleCodec,
     SampleLink,
     SamplePlane,
     SealedLink,
@@ -102,7 +102,7 @@ def heading(step: int = 0, **changes: float) -> Heading:
     return Heading(**(values | changes))  # pyright: ignore[reportArgumentType]
 
 
-def datagrams(codec: Codec, state: np.ndarray, head: Heading) -> list[bytes]:
+def datagrams(codec: SampleCodec, state: np.ndarray, head: Heading) -> list[bytes]:
     written = codec.write(state)
     return [codec.datagram(head, chunk, body) for chunk, body in enumerate(written.bodies)]
 

@@ -78,7 +78,7 @@ def routed(*, relayed: bool) -> Iterator[Pair]:
         return opened[-1]
 
     def at(member: int) -> object:
-        return ByRelay(members[member].public) if relayed else opened[member]._ground.address
+        return ByRelay(members[member].public) if relayed else opened[member]._socket.address
 
     def wait() -> None:
         time.sleep(0.0 if relayed else 0.005)

@@ -5,6 +5,8 @@ from cotouch.mechanics._angle import angles
 from cotouch.mechanics._balance import ABOUT, HAVE, LEAST, MOST, NOISE, ROUGH, is_rounded
 from cotouch.mechanics._breaking import SOLIDS, principal_stress
 from cotouch.mechanics._contact_centre import JAMMED
+from cotouch.mechanics._contact_foundation import Foundation
+from cotouch.mechanics._contact_law import press
 from cotouch.mechanics._contact_over import stretch_tool
 from cotouch.mechanics._contact_weigh import EASY, is_closed, next_scale
 from cotouch.mechanics._crossing import crosses
@@ -20,12 +22,15 @@ from cotouch.mechanics._direction_search import (
     judge_look,
     stiffer,
 )
+from cotouch.mechanics._fit import Fit, box_distance, fit_of, place_vertex, refit
+from cotouch.mechanics._foot import foot
+from cotouch.mechanics._force import evaluate, lean, resist
+from cotouch.mechanics._kernel import outlined
 from cotouch.mechanics._materials import gradients_of, lame_of
-from cotouch.mechanics._meeting_near import foot
 from cotouch.mechanics._nearest import SWEEPS
 from cotouch.mechanics._operator import operator_of
 from cotouch.mechanics._solve import chebyshev, chebyshev_iterations, conjugate_gradients, invert
-from cotouch.mechanics._surface import Fit, box_distance, fit_of, place_vertex, refit
+from cotouch.mechanics._toll import most_toll
 from cotouch.mechanics._tool_walls import walls_of
 from cotouch.mechanics._vector import WIDTHS, four, root, transposed
 from cotouch.mechanics._world_points import shortened
@@ -48,6 +53,7 @@ __all__ = [
     "WIDTHS",
     "WORSE",
     "Fit",
+    "Foundation",
     "Sought",
     "angles",
     "begin_search",
@@ -58,6 +64,7 @@ __all__ = [
     "combine_kept",
     "conjugate_gradients",
     "crosses",
+    "evaluate",
     "fit_of",
     "foot",
     "four",
@@ -67,11 +74,16 @@ __all__ = [
     "is_rounded",
     "judge_look",
     "lame_of",
+    "lean",
+    "most_toll",
     "next_scale",
     "operator_of",
+    "outlined",
     "place_vertex",
+    "press",
     "principal_stress",
     "refit",
+    "resist",
     "root",
     "shortened",
     "stiffer",

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
+from tests.mechanics.inside import evaluate, resist
 
 from cotouch.body import Body, body_from_tetrahedra, is_solid_model, lattice, rigid_box, solid_laws
 from cotouch.installed import installed_names
@@ -22,10 +23,8 @@ from cotouch.mechanics import (
     State,
     closed_settle,
     closed_step,
-    evaluate,
     kernel,
     model,
-    resist,
 )
 
 Float = npt.NDArray[np.float64]

@@ -19,10 +19,10 @@ from cotouch.mechanics import (
     LOCAL_LOSS,
     PROXY,
     SUPPLIED,
-    TOUCH,
     TOUCH_LEDGER,
     TOUCH_LOSS,
     TOUCH_STORED,
+    TOUCHING,
     Basis,
     Stiffening,
     contact_by,
@@ -78,7 +78,7 @@ class Pressed:
         if not soft:
             self.surface = self.surface._replace(soft=np.zeros((0, 2)))
         self.contact = contact_by(Stiffening(), self.model, self.surface, tools=count)
-        self.tools.mode[:] = TOUCH
+        self.tools.mode[:] = TOUCHING
         self.tools.stiffness[:] = 1000.0
         self.tools.mass[:] = 0.05
         self.ledger, self.touch_ledger = self.copy.ledger, np.zeros(TOUCH_LEDGER)

@@ -6,12 +6,13 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 import pytest
+from tests.mechanics.inside import Foundation
+from tests.mechanics.inside import press as press_point
 from tests.mechanics.pressing import areas, flat
 
 from cotouch.installed import installed_names
 from cotouch.mechanics import (
     CONTACT_LAWS,
-    Foundation,
     Stiffening,
     conform_contact_law,
     contact_law_named,
@@ -19,7 +20,6 @@ from cotouch.mechanics import (
     kernel,
     press_skin,
 )
-from cotouch.mechanics import press as press_point
 
 Float = npt.NDArray[np.float64]
 R, K = 0.01, 1000.0

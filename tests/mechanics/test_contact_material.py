@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.mechanics.inside import press
 from tests.mechanics.materials import EVERY, SPACING, boxes, made, rotation
 from tests.mechanics.pressing import Pressed, plate, slab
 
@@ -20,7 +21,6 @@ from cotouch.mechanics import (
     TOUCH_STORED,
     Stiffening,
     kernel,
-    press,
     press_skin,
 )
 

@@ -5,7 +5,7 @@ import pytest
 from tests.mechanics.pressing import SPACING, Pressed, block, plate
 
 from cotouch.body import lattice
-from cotouch.mechanics import AWAY, GRASP, TOUCH, TOUCH_LOSS, Stiffening, Surface, press_skin, relief_on
+from cotouch.mechanics import AWAY, GRASP, TOUCH_LOSS, TOUCHING, Stiffening, Surface, press_skin, relief_on
 
 TOP = 2 * SPACING
 
@@ -104,16 +104,16 @@ def test_balances_whatever_the_tools_do(kind: str, cap: int, driven: bool) -> No
         tools.drive_end[:] = tools.place
     copy.state.velocity[:] = copy.model.to_rows(0.05 * rng.normal(size=(27, 3)))
     copy.begin()
-    T, before, acted = 1e-3, copy.energy, {TOUCH: 0, GRASP: 0, AWAY: 0}
+    T, before, acted = 1e-3, copy.energy, {TOUCHING: 0, GRASP: 0, AWAY: 0}
     for _ in range(250):
         T = float(np.clip(T * 20.0 ** rng.uniform(-1, 1), 1e-4, 1e-2))
         for t in range(3):
             if rng.random() < 0.05:
-                tools.mode[t] = rng.choice([AWAY, TOUCH, TOUCH, TOUCH, GRASP])
+                tools.mode[t] = rng.choice([AWAY, TOUCHING, TOUCHING, TOUCHING, GRASP])
             if rng.random() < 0.02 and tools.held[t] < 0:  # somewhere else
                 tools.mode[t] = AWAY
                 copy.step(T, cap)
-                tools.mode[t], tools.place[t, :3] = TOUCH, rng.uniform(-0.4, 1.4, 3) * TOP
+                tools.mode[t], tools.place[t, :3] = TOUCHING, rng.uniform(-0.4, 1.4, 3) * TOP
             if driven:
                 tools.drive_start[t] = tools.drive_end[t]
                 tools.drive_end[t, :3] = rng.uniform(-0.2, 1.4, 3) * TOP
@@ -124,7 +124,7 @@ def test_balances_whatever_the_tools_do(kind: str, cap: int, driven: bool) -> No
         for t in np.flatnonzero(tools.touching):
             acted[int(tools.mode[t])] += 1
     assert copy.residual <= (1e-11 if cap == 1 else 1e-12) * copy.in_play  # one iteration leads far, and back
-    assert min(acted[TOUCH], acted[GRASP]) > 0
+    assert min(acted[TOUCHING], acted[GRASP]) > 0
     assert acted[AWAY] == 0
 
 
@@ -442,7 +442,7 @@ def test_what_is_put_down_inside_has_no_friction_of_before() -> None:
     copy.tools.mode[:] = AWAY
     copy.step(1e-3)
     for height in (0.005, 0.0205):
-        copy.tools.mode[:] = TOUCH
+        copy.tools.mode[:] = TOUCHING
         copy.tools.place[0, :3] = [0.02, 0.021, height]
         copy.tools.drive_stiffness[:] = 0.0
         copy.step(1e-3)
@@ -460,6 +460,6 @@ def test_what_is_let_go_of_is_booked_as_lost() -> None:
     copy.step(1e-3)
     assert copy.touch_ledger[TOUCH_LOSS] == pytest.approx(held)
     assert copy.residual <= 1e-14 * copy.in_play
-    copy.tools.mode[:] = TOUCH
+    copy.tools.mode[:] = TOUCHING
     copy.step(1e-3)
     assert copy.residual <= 1e-14 * copy.in_play

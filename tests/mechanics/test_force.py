@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 import pytest
+from tests.mechanics.inside import outlined
 from tests.mechanics.materials import (
     EVERY,
     SOLIDS,
@@ -34,7 +35,6 @@ from cotouch.mechanics import (
     BodyForce,
     closed_step,
     load,
-    outlined,
     part,
     store,
 )

@@ -3,6 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 import pytest
+from tests.mechanics.inside import lean, resist
 from tests.mechanics.materials import Alone, rotation
 from tests.mechanics.test_world import SLICK, TABLE, G, Standing, sliding
 
@@ -17,8 +18,6 @@ from cotouch.mechanics import (
     Obstacle,
     Plane,
     kernel,
-    lean,
-    resist,
 )
 
 Float = npt.NDArray[np.float64]

@@ -8,10 +8,11 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 from scipy.special import jv
+from tests.mechanics.inside import Foundation
 from tests.mechanics.pressing import Pressed, areas, flat, plate
 
 from cotouch.errors import BodyError
-from cotouch.mechanics import AWAY, DRIVE, TOUCH, TOUCH_LOSS, Foundation, Relief, Stiffening, press_skin, relief_on
+from cotouch.mechanics import AWAY, DRIVE, TOUCH_LOSS, TOUCHING, Relief, Stiffening, press_skin, relief_on
 
 Float = npt.NDArray[np.float64]
 R, K = 0.01, 1000.0
@@ -231,7 +232,7 @@ def test_a_tool_that_is_taken_away_in_range_gives_no_energy() -> None:
     copy = magnetic()
     start, farther, wells = copy.energy, (*FAR[:2], FAR[2] + 0.001), []
     for _ in range(3):
-        copy.tools.mode[:] = TOUCH
+        copy.tools.mode[:] = TOUCHING
         lead(copy, [(*farther, 1), (*NEAR, 100)])
         wells.append(-float(copy.tools.well[0]))
         copy.tools.mode[:] = AWAY

@@ -1,8 +1,9 @@
 """What an account pays for coarse encoders, and begins with."""
 
 import pytest
+from tests.mechanics.inside import most_toll
 
-from cotouch.mechanics import encoder_toll, most_toll, opening_energy
+from cotouch.mechanics import encoder_toll, opening_energy
 
 
 def test_a_toll_is_what_a_step_charges_by_its_length() -> None:

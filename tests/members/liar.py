@@ -11,7 +11,7 @@ from tests.samples.budgets import made_up, with_amounts
 from tests.session.world import Person, entropy
 
 from cotouch.errors import SessionError
-from cotouch.members import Decided, Decision, Former, Status, genuine, write
+from cotouch.members import Decided, Decision, Former, Status, genuine, write_message
 from cotouch.peer import Message, Sample
 from cotouch.samples import Heading, Identity, SampleLink
 
@@ -206,11 +206,11 @@ class Liar:
         change = {"epoch": min(roster.epoch + 1, BEYOND)} | harms[int(self._rng.integers(0, len(harms)))]
         said = roster.model_copy(update=change)  # unchecked, as is what is made of it
         host = world.host_identity.public
-        signature = self.person.identity.sign(SIGNED + host + write(said)).hex()
+        signature = self.person.identity.sign(SIGNED + host + write_message(said)).hex()
         decision = Decision.model_construct(roster=said, signer=own, signature=signature)
         assert genuine(decision, host)
         for commanded in ([*chain[:1], decision], [decision], [*chain, decision]):
-            self._send("roster", write(Decided.model_construct(chain=commanded)))
+            self._send("roster", write_message(Decided.model_construct(chain=commanded)))
 
     def _joins(self, now: float) -> None:
         """Others of its own, under the names of those who are there."""
@@ -226,7 +226,7 @@ class Liar:
             world.directory[identity.public] = f"crowd {len(self._company)}"
         for at, control in enumerate(self._company):
             name = ("Ann", "Ben", "nobody", f"crowd {at}")[at % 4]
-            control.send("join", write(own.model_copy(update={"name": name})))
+            control.send("join", write_message(own.model_copy(update={"name": name})))
             control.poll()
 
     def _statuses(self, now: float) -> None:
@@ -238,7 +238,7 @@ class Liar:
             damping=-1e12,
             round_trips=[(0, 1e6), (1, 0.0)],
         )
-        self._send("status", write(status))
+        self._send("status", write_message(status))
 
     def _keys(self, now: float) -> None:
         del now

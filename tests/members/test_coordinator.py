@@ -2,7 +2,7 @@ from typing import Any
 
 import pytest
 
-from cotouch.control import Message
+from cotouch.control import SignedMessage
 from cotouch.errors import NetworkError, SessionError
 from cotouch.laws import law_named
 from cotouch.members import (
@@ -17,8 +17,8 @@ from cotouch.members import (
     SessionFile,
     Status,
     present_links,
-    read,
-    write,
+    read_message,
+    write_message,
 )
 
 HOST = bytes([255]) * 32
@@ -51,7 +51,7 @@ class World:
         self.tick()
         law = law_named(self.session.law).signature
         request = Join(name=name, fingerprint=body, version="1", law=law, start=f"{start:016x}")
-        self.coordinator.receive(Message(key(number), "join", write(request), direct=False), self.now)
+        self.coordinator.receive(SignedMessage(key(number), "join", write_message(request), direct=False), self.now)
         self.tick()
 
     def tick(self, seconds: float = 0.0) -> None:
@@ -59,7 +59,7 @@ class World:
         while True:
             for topic, body, to in self.coordinator.tick(self.now, frozenset(self.present)):
                 if topic == "refused" and to is not None:
-                    refused = read(Refused, body)
+                    refused = read_message(Refused, body)
                     assert refused is not None
                     self.refusals[to] = refused.reason
             if self.now >= end:
@@ -89,7 +89,7 @@ def test_who_is_there_is_joined_whatever_is_missing() -> None:
     for number, name in enumerate(["Ann", "Ben", "Cleo", "Dan"]):
         world.join(number, name)
     assert world.roster.links == [(0, 1), (1, 2), (2, 3)]
-    world.coordinator.receive(Message(key(1), "leave", b"", direct=False), world.now)  # Ben
+    world.coordinator.receive(SignedMessage(key(1), "leave", b"", direct=False), world.now)  # Ben
     assert world.names == {0: "Ann", 2: "Cleo", 3: "Dan"}
     assert world.roster.links == [(0, 2), (2, 3)]
 
@@ -115,7 +115,7 @@ def test_a_name_stays_with_its_key_and_who_crashed_comes_back_with_that() -> Non
     world.join(1, "Ben", start=1)
     assert world.names == {1: "Ben"}
     assert world.roster.members[0].start == f"{1:016x}"
-    world.coordinator.receive(Message(key(1), "leave", b"", direct=False), world.now)
+    world.coordinator.receive(SignedMessage(key(1), "leave", b"", direct=False), world.now)
     assert world.names == {}
     world.refusals.clear()
     world.join(2, "Ben")  # nor when it has left
@@ -131,7 +131,7 @@ def test_the_host_releases_the_name_of_one_who_is_gone() -> None:
     world.join(1, "Ben")
     with pytest.raises(SessionError, match='"Ben" has joined'):
         world.coordinator.release("Ben")
-    world.coordinator.receive(Message(key(1), "leave", b"", direct=False), world.now)
+    world.coordinator.receive(SignedMessage(key(1), "leave", b"", direct=False), world.now)
     with pytest.raises(SessionError, match="nobody has used"):
         world.coordinator.release("Bob")
     slots = world.roster.slots()
@@ -155,7 +155,7 @@ def test_who_was_sent_away_leaves_its_place_and_does_not_come_back() -> None:
     assert "expelled you" in world.refusals[key(2)]
     world.join(3, "Ben")
     assert world.names == {0: "Ann", 1: "Ben"}
-    world.coordinator.receive(Message(key(3), "leave", b"", direct=False), world.now)
+    world.coordinator.receive(SignedMessage(key(3), "leave", b"", direct=False), world.now)
     world.coordinator.expel("Ben")  # who is not here can be sent away, too
     world.join(3, "Ben", start=1)
     assert "expelled you" in world.refusals[key(3)]
@@ -185,7 +185,7 @@ def test_an_address_takes_half_of_the_slots() -> None:
     assert "session.per_address" in world.refusals[key(3)]
     assert {entry.key for entry in world.roster.members} == {key(k).hex() for k in (1, 2, 4, 5)}
     assert "all 4 slots" in world.refusals[key(9)]
-    world.coordinator.receive(Message(key(1), "leave", b"", direct=False), world.now)
+    world.coordinator.receive(SignedMessage(key(1), "leave", b"", direct=False), world.now)
     world.join(6, "guest 6")
     assert "unknown address" in world.refusals[key(6)]
     world.join(3, "guest 3")
@@ -197,7 +197,7 @@ def test_one_address_takes_only_so_many_names() -> None:
     world = World(admission=Admission(session, fingerprint=BODY, each=2, where=lambda who, request: "192.0.2.1"))
     for number in range(1, 30):
         world.join(number, f"guest {number}")
-        world.coordinator.receive(Message(key(number), "leave", b"", direct=False), world.now)
+        world.coordinator.receive(SignedMessage(key(number), "leave", b"", direct=False), world.now)
     assert len(world.roster.names) == 16
     assert "16 names" in world.refusals[key(29)]
     world.join(3, "guest 3", start=1)  # who has a name comes back
@@ -277,7 +277,9 @@ def test_a_successor_goes_on_with_higher_numbers() -> None:
 
 
 def status(slot: int, paths: dict[int, float]) -> bytes:
-    return write(Status(slot=slot, links=[LinkStatus(slot=j, state="coupled", round_trip=t) for j, t in paths.items()]))
+    return write_message(
+        Status(slot=slot, links=[LinkStatus(slot=j, state="coupled", round_trip=t) for j, t in paths.items()])
+    )
 
 
 def test_links_are_planned_from_what_is_measured_and_anew_when_it_changes() -> None:
@@ -296,11 +298,11 @@ def test_links_are_planned_from_what_is_measured_and_anew_when_it_changes() -> N
     world.tick(6.0)
     assert world.roster.links == [(0, 1), (0, 2), (1, 2)]
     slow = status(0, {1: 0.5, 2: 0.04})
-    world.coordinator.receive(Message(key(0), "status", slow, direct=False), world.now)
+    world.coordinator.receive(SignedMessage(key(0), "status", slow, direct=False), world.now)
     world.tick(20.0)
     assert world.roster.links == [(0, 2), (1, 2)]
     count = len(asked)
-    world.coordinator.receive(Message(key(0), "status", status(0, {1: 0.51, 2: 0.04}), direct=False), world.now)
+    world.coordinator.receive(SignedMessage(key(0), "status", status(0, {1: 0.51, 2: 0.04}), direct=False), world.now)
     world.tick(20.0)
     assert len(asked) == count
 
@@ -311,7 +313,7 @@ def test_nonsense_changes_nothing(body: bytes) -> None:
     world.join(1, "Ann")
     before = world.roster
     for topic in ("join", "status", "what"):
-        world.coordinator.receive(Message(key(9), topic, body, direct=False), world.now)
+        world.coordinator.receive(SignedMessage(key(9), topic, body, direct=False), world.now)
     world.tick()
     assert world.roster == before
     assert not world.refusals
@@ -353,7 +355,7 @@ def test_ways_to_slots_that_nobody_has_are_of_no_use() -> None:
     for number in range(3):
         world.join(number, f"{number}")
     world.tick(6.0)
-    world.coordinator.receive(Message(key(0), "status", status(0, {31: 0.5, 1: 0.1}), direct=False), world.now)
+    world.coordinator.receive(SignedMessage(key(0), "status", status(0, {31: 0.5, 1: 0.1}), direct=False), world.now)
     world.tick(20.0)
     assert set(world.coordinator._paths) == {(0, 1)}
 
@@ -412,7 +414,7 @@ def test_whom_others_let_in_take_no_more_places_than_one_address_may() -> None:
     world.join(7, "guest 2")
     assert world.roster.of(key(7)) is not None
     left = world.roster.of(key(7))
-    world.coordinator.receive(Message(key(7), "leave", b"", direct=False), world.now)
+    world.coordinator.receive(SignedMessage(key(7), "leave", b"", direct=False), world.now)
     world.coordinator.take_up(Roster(epoch=9, members=[left, many[2]]), present, world.now)
     assert {entry.key for entry in world.roster.members} == {key(k).hex() for k in (1, 7, 6)}
 
@@ -530,7 +532,7 @@ def test_a_plan_for_others_than_are_there_now_is_not_taken() -> None:
         world.coordinator.measured(pair, both)
     world.tick(0.2)
     before = world.roster.links
-    world.coordinator.receive(Message(key(2), "leave", b"", direct=False), world.now)
+    world.coordinator.receive(SignedMessage(key(2), "leave", b"", direct=False), world.now)
     planner.ready = True
     links, epoch = world.roster.links, world.roster.epoch
     assert links == [(0, 1)] != before
@@ -544,7 +546,7 @@ def test_who_left_and_is_taken_up_again_is_waited_for_as_if_seen_now() -> None:
     world.join(2, "Ben")
     ben = world.roster.of(key(2))
     assert ben is not None
-    world.coordinator.receive(Message(key(2), "leave", b"", direct=False), world.now)
+    world.coordinator.receive(SignedMessage(key(2), "leave", b"", direct=False), world.now)
     world.now = 50.0
     world.coordinator.take_up(Roster(epoch=9, members=[ben]), frozenset([key(1), key(2)]), world.now)
     world.present = {HOST, key(1)}
@@ -578,7 +580,7 @@ def test_nobody_leaves_twice_and_nonsense_of_a_member_changes_nothing() -> None:
     world.join(1, "Ann")
     before = world.roster
     for sender, topic, body in ((9, "leave", b""), (1, "status", b"{}"), (9, "status", status(0, {1: 0.1}))):
-        world.coordinator.receive(Message(key(sender), topic, body, direct=False), world.now)
+        world.coordinator.receive(SignedMessage(key(sender), topic, body, direct=False), world.now)
     assert world.roster is before
     assert world.coordinator._paths == {}
 
@@ -591,9 +593,9 @@ def test_who_does_not_fit_need_not_ask_again_and_who_finds_no_room_may() -> None
     for number, body in ((7, BODY), (8, [5.0, 5.0])):
         law = law_named(world.session.law).signature
         request = Join(name=f"guest {number}", fingerprint=body, version="1", law=law, start="0" * 16)
-        world.coordinator.receive(Message(key(number), "join", write(request), direct=False), world.now)
+        world.coordinator.receive(SignedMessage(key(number), "join", write_message(request), direct=False), world.now)
         (out,) = world.coordinator.tick(world.now, frozenset(world.present))
-        refused = read(Refused, out.body)
+        refused = read_message(Refused, out.body)
         assert refused is not None
         final.append(refused.final)
     assert final == [False, True]
@@ -603,7 +605,7 @@ def test_who_joins_and_is_never_there_is_missed_too() -> None:
     world = World()
     law = law_named(world.session.law).signature
     request = Join(name="Ann", fingerprint=BODY, version="1", law=law, start="0" * 16)
-    world.coordinator.receive(Message(key(1), "join", write(request), direct=False), world.now)
+    world.coordinator.receive(SignedMessage(key(1), "join", write_message(request), direct=False), world.now)
     world.tick(ABSENT_AFTER - 0.5)
     assert world.names == {0: "Ann"}
     world.tick(1.0)

@@ -3,7 +3,7 @@
 import pytest
 from pydantic import ValidationError
 
-from cotouch.members import LinkStatus, Status, felt
+from cotouch.members import LinkStatus, Status, law_felt
 
 
 def said(slot: int, **entries: object) -> Status:
@@ -16,7 +16,7 @@ def end(slot: int, given: float, taken: float) -> LinkStatus:
 
 
 def test_drag_is_what_all_copies_lost_for_the_way_that_one_of_them_went() -> None:
-    found = felt([said(0, drag=1.0), said(1, drag=2.0, braked=-0.01), said(2, drag=3.0, moved=0.07)])
+    found = law_felt([said(0, drag=1.0), said(1, drag=2.0, braked=-0.01), said(2, drag=3.0, moved=0.07)])
     assert found is not None
     assert found.measured == pytest.approx(0.03 / 0.05)
     assert found.predicted == 6.0
@@ -24,18 +24,18 @@ def test_drag_is_what_all_copies_lost_for_the_way_that_one_of_them_went() -> Non
 
 def test_only_what_both_ends_say_is_on_the_way() -> None:
     ends = said(0, links=[end(1, 3.0, 1.0), end(2, 9.0, 0.0)]), said(1, links=[end(0, 1.0, 2.5)])
-    found = felt(ends)
+    found = law_felt(ends)
     assert found is not None
     assert found.on_the_way == pytest.approx(0.5)
-    springs = felt([one.model_copy(update={"law": "spring"}) for one in ends])
+    springs = law_felt([one.model_copy(update={"law": "spring"}) for one in ends])
     assert springs is not None
     assert springs.on_the_way is None
 
 
 def test_what_nobody_knows_is_not_said() -> None:
-    assert felt([]) is None
-    assert felt([said(0, steps=0)]) is None
-    found = felt([said(0, moved=1e-5), said(1, moved=1e-5, drag=None)])
+    assert law_felt([]) is None
+    assert law_felt([said(0, steps=0)]) is None
+    found = law_felt([said(0, moved=1e-5), said(1, moved=1e-5, drag=None)])
     assert found is not None
     assert (found.measured, found.predicted) == (None, None)
 
@@ -50,11 +50,11 @@ def test_ages_that_only_one_end_counts_predict_no_drag() -> None:
     """Each end counts the difference of the clocks, the other way round: alone it came to millions of Ns/m."""
     one = said(0, law="spring", drag=5.0 + 60.0 * 2.6e5, links=[end(1, 0.0, 0.0)])
     other = said(1, law="spring", drag=7.0 - 60.0 * 2.6e5, links=[end(0, 0.0, 0.0)])
-    both = felt([one, other])
+    both = law_felt([one, other])
     assert both is not None
     assert both.predicted == pytest.approx(12.0)
     guarded = other.model_copy(update={"drag": 7.0, "links": [LinkStatus(slot=0, state="guarded")]})
     for known in ([one, guarded], [one]):
-        found = felt(known)
+        found = law_felt(known)
         assert found is not None
         assert found.predicted is None

@@ -8,7 +8,7 @@ import pytest
 from tests.members.test_live_law import LIVE, carried, made, seeds, text
 from tests.session.world import World
 
-from cotouch.members import Admission, Join, Roster, read
+from cotouch.members import Admission, Join, Roster, read_message
 from cotouch.recording import Recording, audit, read_recording
 from cotouch.samples import PathLaw, Refusal
 
@@ -105,7 +105,7 @@ def asked(world: World) -> Join:
     said: list[bytes] = []
     world.join("Ann").control.send = lambda topic, body, *, to=None: said.append(body) if topic == "join" else None
     world.run(0.1)
-    request = read(Join, said[0])
+    request = read_message(Join, said[0])
     assert request is not None
     return request
 

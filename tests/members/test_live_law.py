@@ -14,11 +14,11 @@ from tests.session.world import Person, World
 from cotouch.errors import ScenarioError, SessionError
 from cotouch.laboratory import impedance
 from cotouch.laws import PAID, Facts, laws
-from cotouch.members import LiveLaw, SessionFile, SharedModel, felt
+from cotouch.members import LiveLaw, SessionFile, SharedModel, law_felt
 from cotouch.network import Network
 from cotouch.peer import CopyMemory, FreshestLink, LawLink, Message, Sample
 from cotouch.recording import Recording, audit, read_recording
-from cotouch.samples import HEAD_BYTES, Arrival, Assembly, Chunk, Codec, Heading, PathLaw, Refusal
+from cotouch.samples import HEAD_BYTES, Arrival, Assembly, Chunk, Heading, PathLaw, Refusal, SampleCodec
 
 LAWS = laws()
 
@@ -278,7 +278,7 @@ def test_a_hand_feels_what_is_predicted_and_nearly_nothing_of_paid(tmp_path: Pat
                 synchronisation={"law": "spring", "damping": damping},
             )
             predicted = impedance(told, 1, frequencies=[0.2], measured=False).attrs["predicted_drag"]
-        said = felt([person.copy.status(world.now) for person in world.people])
+        said = law_felt([person.copy.status(world.now) for person in world.people])
         assert said is not None
         assert said.law == law
         assert said.measured == pytest.approx(work[law], abs=0.03 * work["spring"])
@@ -641,7 +641,7 @@ def test_who_has_another_law_of_that_name_is_told_so() -> None:
 
 def test_what_a_law_says_is_bounded_on_arrival() -> None:
     replica = SharedModel.build(SessionFile.from_toml(text()))
-    codec, layout = Codec(replica.layout), replica.layout
+    codec, layout = SampleCodec(replica.layout), replica.layout
     law = PAID
     heading = Heading(epoch=0, sender=1, step=3, stamp=1.0, T=0.01)
     state = np.zeros((layout.rows, layout.width))

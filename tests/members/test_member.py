@@ -5,12 +5,12 @@ import numpy as np
 import pytest
 from tests.session.world import World
 
-from cotouch.control import Message
+from cotouch.control import SignedMessage
 from cotouch.errors import SessionError
 from cotouch.members import Status
 from cotouch.network import Network
 from cotouch.samples import PathLaw
-from cotouch.session import measured
+from cotouch.session import measured_network
 
 BODY = """
 [body]
@@ -379,7 +379,7 @@ emulate = true
     assert host is not None
     expected = {(0, 1): 0.03 + 0.01, (0, 2): 0.12 + 0.01, (1, 2): 0.07 + 0.01}
     assert host.watch.paths() == pytest.approx(expected, abs=1e-9)
-    found = measured(host.watch, world.session)
+    found = measured_network(host.watch, world.session)
     assert not found.missing
     assert found.network.delay[0, 2] == found.network.delay[2, 0] == pytest.approx(0.065)
     again = Network.from_table(tomllib.loads(found.toml())["network"], source="written")
@@ -419,7 +419,7 @@ def test_a_turn_takes_up_so_many_messages_and_forgets_none() -> None:
     member, received = world.people[0].member, []
     receive, poll = member._receive, world.people[0].control.poll
     member._receive = lambda message, *rest: (received.append(message), receive(message, *rest))
-    flood = [Message(world.people[1].identity.public, "status", bytes([k]), direct=False) for k in range(100)]
+    flood = [SignedMessage(world.people[1].identity.public, "status", bytes([k]), direct=False) for k in range(100)]
     world.people[0].control.poll = lambda: [flood.pop(0) for _ in range(len(flood))] + poll()
     most, turns = 0, 0
     while turns == 0 or member.pending:

@@ -12,7 +12,7 @@ from tests.members.test_succession import lie, say
 from tests.session.world import World
 from tests.thorough import examples
 
-from cotouch.members import Decided, Entry, Join, LinkStatus, NameOwner, Refused, Roster, Status, read
+from cotouch.members import Decided, Entry, Join, LinkStatus, NameOwner, Refused, Roster, Status, read_message
 
 PLANNED = """
 [session]
@@ -156,8 +156,8 @@ def test_no_whole_number_is_without_an_end(kind: type) -> None:
 
 
 def test_a_number_beyond_its_end_is_no_message() -> None:
-    assert read(Roster, b'{"epoch": 4503599627370496}') is None
-    assert read(Roster, b'{"epoch": 4503599627370495}') is not None
-    assert read(Status, b'{"slot": 0, "steps": ' + b"9" * 4000 + b"}") is None
+    assert read_message(Roster, b'{"epoch": 4503599627370496}') is None
+    assert read_message(Roster, b'{"epoch": 4503599627370495}') is not None
+    assert read_message(Status, b'{"slot": 0, "steps": ' + b"9" * 4000 + b"}") is None
     two = b'{"members": [{"slot": 1, "name": "A", "key": "' + b"a" * 64 + b'"}, {"slot": 1, "name": "B", "key": "'
-    assert read(Roster, two + b"b" * 64 + b'"}]}') is None
+    assert read_message(Roster, two + b"b" * 64 + b'"}]}') is None

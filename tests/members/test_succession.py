@@ -8,7 +8,7 @@ from tests.members.inside import MOST_LEAP, Belief, acting, order_of, signed
 from tests.session.world import Person, World, entropy
 
 from cotouch.errors import SessionError
-from cotouch.members import Decided, Decision, Entry, NameOwner, Roster, write
+from cotouch.members import Decided, Decision, Entry, NameOwner, Roster, write_message
 from cotouch.samples import Identity
 
 FOUR = """
@@ -35,7 +35,7 @@ def three(text: str = FOUR) -> World:
 
 
 def say(person: Person, chain: list[Decision] | tuple[Decision, ...], to: bytes | None = None) -> None:
-    person.control.send("roster", write(Decided(chain=list(chain))), to=to)
+    person.control.send("roster", write_message(Decided(chain=list(chain))), to=to)
 
 
 def lie(world: World, person: Person, roster: Roster) -> list[Decision]:
@@ -142,7 +142,7 @@ def test_what_most_say_counts_before_what_one_says() -> None:
     chain = lie(world, mallory, changed(commanded, members=false, names=names))
 
     def lying(topic: str, body: bytes, *, to: bytes | None = None) -> None:
-        send(topic, write(Decided(chain=chain)) if topic == "roster" else body, to=to)
+        send(topic, write_message(Decided(chain=chain)) if topic == "roster" else body, to=to)
 
     mallory.control.send = lying
     say(mallory, chain, to=world.host_identity.public)
@@ -410,7 +410,7 @@ def test_any_change_of_a_signed_chain_is_seen() -> None:
     assert Belief(HOST.public).vouched(chain)
     assert not Belief(BEN.public).vouched(chain)
     rng = np.random.default_rng(0)
-    text = write(Decided(chain=chain))
+    text = write_message(Decided(chain=chain))
     refused = 0
     for _ in range(300):
         body = bytearray(text)

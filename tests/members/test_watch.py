@@ -3,7 +3,7 @@
 import numpy as np
 from tests.session.world import World, entropy
 
-from cotouch.control import Message
+from cotouch.control import SignedMessage
 from cotouch.members import Entry, SessionWatch, Status
 from cotouch.samples import Identity
 
@@ -63,13 +63,13 @@ def test_only_the_host_hands_on_and_what_is_heard_directly_counts() -> None:
     assert before is not None
     lie = before.model_copy(update={"steps": 10**9}).model_dump_json().encode()
     host, ann = world.host_identity.public, people[0].identity.public
-    watch.receive(Message(host, "seen", lie, direct=True), present, world.now)
+    watch.receive(SignedMessage(host, "seen", lie, direct=True), present, world.now)
     assert seen.status == before
     hidden = present - {people[1].identity.public}
-    watch.receive(Message(ann, "seen", lie, direct=True), hidden, world.now)
+    watch.receive(SignedMessage(ann, "seen", lie, direct=True), hidden, world.now)
     assert seen.status == before
-    watch.receive(Message(host, "seen", b"no status", direct=True), hidden, world.now)
-    watch.receive(Message(host, "seen", lie, direct=True), hidden, world.now)
+    watch.receive(SignedMessage(host, "seen", b"no status", direct=True), hidden, world.now)
+    watch.receive(SignedMessage(host, "seen", lie, direct=True), hidden, world.now)
     assert seen.status is not None
     assert seen.status.steps == 10**9
     assert identity.public not in present

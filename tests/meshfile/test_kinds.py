@@ -13,9 +13,9 @@ import pytest
 import trimesh
 from tests.meshfile.here import parsed_here
 
-from cotouch.body import body_from_surface, is_surface
+from cotouch.body import body_from_surface
 from cotouch.errors import BodyError
-from cotouch.meshfile import Mesh, read_surface, read_tetrahedra
+from cotouch.meshfile import Mesh, is_surface, read_surface, read_tetrahedra
 from cotouch.scenario import FileTable
 
 MOST = 1000

@@ -1,8 +1,11 @@
 """What these tests take from inside the room: nothing else here imports its private modules."""
 
-from cotouch.network._consensus import consensus_loop, lifted_matrix
+from cotouch.network._age_sums import age_sums_of
+from cotouch.network._consensus import Mixing, consensus_loop, lifted_matrix
 from cotouch.network._definite import definite, negatives
 from cotouch.network._elimination import REGULAR, cut, evaluate, scratch
+from cotouch.network._exact import exact_margin, sync_hermitian
+from cotouch.network._gains import coefficients, damping_matrices
 from cotouch.network._resonance import _swift as swift
 from cotouch.network._resonance import _thorough as thorough
 from cotouch.network._returns import bend_of, excluded, turn_of
@@ -11,17 +14,23 @@ from cotouch.network._windows import windows
 
 __all__ = [
     "REGULAR",
+    "Mixing",
+    "age_sums_of",
     "bend_of",
+    "coefficients",
     "consensus_loop",
     "count_right",
     "cut",
+    "damping_matrices",
     "definite",
     "evaluate",
+    "exact_margin",
     "excluded",
     "lifted_matrix",
     "negatives",
     "scratch",
     "swift",
+    "sync_hermitian",
     "thorough",
     "turn_of",
     "windows",

@@ -3,8 +3,9 @@
 import functools
 
 import numpy as np
+from tests.network.inside import Mixing
 
-from cotouch.network import Mixing, Network, complete, connected_graphs, mixing
+from cotouch.network import Network, complete, connected_graphs, mixing
 
 # Lee & Huang 2010, section IV.
 SPRING = [

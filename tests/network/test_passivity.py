@@ -5,26 +5,22 @@ import pytest
 import scipy.optimize
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.network.inside import age_sums_of, coefficients, damping_matrices, exact_margin, sync_hermitian
 from tests.network.support import five_users, pairs, random_network, uniform
 from tests.thorough import examples
 
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.network import (
     Network,
-    age_sums_of,
     certify,
-    coefficients,
     complete,
     damping_for,
-    damping_matrices,
-    exact_margin,
     exact_scaling,
     link_damping,
     path,
     ring,
     rule_damping,
     star,
-    sync_hermitian,
 )
 
 SPD = np.array([[2.0, 0.5], [0.5, 1.0]])

@@ -415,8 +415,8 @@ def test_tools_are_audited_too(tmp_path: Path) -> None:
         assert abs(ledger.residual) < 1e-12
     # One proxy that is faster than what acts on it.
     columns = dict(recordings[0].columns)
-    columns["tool_rate"] = np.array(columns["tool_rate"])
-    columns["tool_rate"][50] += 0.1
+    columns["tool_velocity"] = np.array(columns["tool_velocity"])
+    columns["tool_velocity"][50] += 0.1
     forged = audit([replace(recordings[0], columns=columns), recordings[1]])
     assert not forged.holds
     assert {finding.place for finding in forged.findings} <= {"proxies", "step"}

@@ -117,8 +117,8 @@ def test_what_nothing_comes_near_to_goes_as_if_alone(
     """Where steps that are not jammed are not shortened either, which shortens the way of all tools."""
     name = request.node.callspec.params["honest"]
     if name in {"cells", "apart", "far apart"}:
-        alone = played(tmp_path, name, tools=AWAY)[0].columns["tool_place"]
-        assert honest[0].columns["tool_place"][:, : len(AWAY)] == pytest.approx(alone, abs=1e-12)
+        alone = played(tmp_path, name, tools=AWAY)[0].columns["tool_position"]
+        assert honest[0].columns["tool_position"][:, : len(AWAY)] == pytest.approx(alone, abs=1e-12)
 
 
 def test_a_die_that_only_a_guess_had_the_block_meet_falls_freely(tmp_path: Path) -> None:
@@ -148,7 +148,7 @@ def claimed(recording: Recording, name: str, change: Callable[[Any], Any], step:
         ("touch_work", lambda work: work + 4e-5),
         ("touch_loss", lambda loss: loss - 4e-5),
         ("touch_stored", lambda energy: energy + 4e-5),
-        ("tool_rate", lambda rate: 1.001 * rate),
+        ("tool_velocity", lambda rate: 1.001 * rate),
         ("v", lambda rate: 1.001 * rate),
         ("jammed", lambda about: np.nan * about),
         ("jammed", lambda about: 0.0 * about),

@@ -7,7 +7,7 @@ import pytest
 from tests.recording.driven import Driven
 
 from cotouch.errors import RecordingError
-from cotouch.recording import Recording, play, read_recording
+from cotouch.recording import Recording, read_recording, replay
 
 
 class Clock:
@@ -30,7 +30,7 @@ def recording(tmp_path: Path) -> Recording:
 @pytest.mark.parametrize("speed", [1.0, 4.0, 0.5])
 def test_every_step_comes_when_it_is_due(recording: Recording, speed: float) -> None:
     clock = Clock()
-    for k, step in enumerate(play(recording, speed=speed, clock=clock.time, sleep=clock.sleep)):
+    for k, step in enumerate(replay(recording, speed=speed, clock=clock.time, sleep=clock.sleep)):
         assert step.row == k
         assert step.time == pytest.approx(0.004 * (k + 1))
         assert clock.now - 100.0 == pytest.approx(0.004 * k / speed)
@@ -41,7 +41,7 @@ def test_every_step_comes_when_it_is_due(recording: Recording, speed: float) -> 
 
 def test_a_part_of_it(recording: Recording) -> None:
     clock = Clock()
-    steps = list(play(recording, start=0.1, stop=0.2, clock=clock.time, sleep=clock.sleep))
+    steps = list(replay(recording, start=0.1, stop=0.2, clock=clock.time, sleep=clock.sleep))
     assert steps[0].time == pytest.approx(0.1)
     assert steps[-1].time == pytest.approx(0.2)
     assert clock.now - 100.0 == pytest.approx(0.1)
@@ -49,7 +49,7 @@ def test_a_part_of_it(recording: Recording) -> None:
 
 def test_who_is_late_catches_up(recording: Recording) -> None:
     clock = Clock()
-    for step in play(recording, clock=clock.time, sleep=clock.sleep):
+    for step in replay(recording, clock=clock.time, sleep=clock.sleep):
         if step.row == 10:
             clock.now += 0.1
     assert clock.now - 100.0 == pytest.approx(0.004 * 99)
@@ -57,6 +57,6 @@ def test_who_is_late_catches_up(recording: Recording) -> None:
 
 def test_what_makes_no_sense_is_refused(recording: Recording) -> None:
     with pytest.raises(RecordingError, match="speed is 0"):
-        next(play(recording, speed=0.0))
+        next(replay(recording, speed=0.0))
     with pytest.raises(RecordingError, match=r"has nothing after 5 s; it is 0.4 s long"):
-        next(play(recording, start=5.0))
+        next(replay(recording, start=5.0))

@@ -9,10 +9,10 @@ from hypothesis import strategies as st
 from tests.live.support import datagrams, heading, layout, state_of
 
 from cotouch.peer import LinkHeader, LinkState, Sample
-from cotouch.samples import Assembly, Codec, Refusal
+from cotouch.samples import Assembly, Refusal, SampleCodec
 
 SHAPE = layout(130, 3)  # three chunks: 45, 45, 40
-CODEC = Codec(SHAPE)
+CODEC = SampleCodec(SHAPE)
 
 
 def chunk(step: int, at: int, **changes: float):
@@ -88,7 +88,7 @@ def test_padding_stays_zero():
 def test_reduced_coordinates_fill_all_rows():
     basis = np.linalg.qr(np.random.default_rng(0).normal(size=(130, 9)))[0]
     shape = layout(130, 3, basis=basis)
-    codec, held = Codec(shape), Assembly(shape, sender=1, initial=np.zeros((130, 4)))
+    codec, held = SampleCodec(shape), Assembly(shape, sender=1, initial=np.zeros((130, 4)))
     state = np.zeros((130, 4))
     state[:, :3] = basis @ np.random.default_rng(1).normal(size=(9, 3))
     held.take(codec.read(datagrams(codec, state, heading())[0], epoch=3, sender=1))

@@ -10,14 +10,14 @@ from tests.live.support import datagrams, heading, layout, state_of
 
 from cotouch.errors import SessionError
 from cotouch.peer import LinkHeader
-from cotouch.samples import HEAD_BYTES, MOST_BYTES, OVERHEAD, Chunk, Codec, Layout, Refusal
+from cotouch.samples import HEAD_BYTES, MOST_BYTES, OVERHEAD, Chunk, Layout, Refusal, SampleCodec
 
 ENCODINGS = ["float64", "float32", "float16"]
 OFFSETS = {"flags": 2, "epoch": 4, "sender": 8, "rows": 10, "first": 12, "step": 24, "stamp": 32, "T": 40, "echo": 48}
 OFFSETS |= {"held": 56, "age": 64, "worst": 72, "given": 80, "guard": 88, "starved": 91, "state": 92}
 
 
-def read(codec: Codec, payload: bytes) -> Chunk | Refusal:
+def read(codec: SampleCodec, payload: bytes) -> Chunk | Refusal:
     return codec.read(payload, epoch=3, sender=1)
 
 
@@ -45,7 +45,7 @@ headings = st.builds(
 )
 def test_round_trip(rows: int, axes: int, encoding: str, head, seed: int):
     shape = layout(rows, axes, encoding=encoding)
-    codec, state = Codec(shape), state_of(shape, seed, size=10.0 ** (seed % 8 - 4))
+    codec, state = SampleCodec(shape), state_of(shape, seed, size=10.0 ** (seed % 8 - 4))
     written = codec.write(state)
     back, seen = np.full((rows, axes), np.nan), 0
     for k, payload in enumerate(datagrams(codec, state, head)):
@@ -84,7 +84,7 @@ def test_reduced_coordinates_report_what_they_leave_out():
     rng = np.random.default_rng(1)
     basis = np.linalg.qr(rng.normal(size=(300, 20)))[0]
     shape = layout(300, 3, encoding="float32", basis=basis)
-    codec, state = Codec(shape), state_of(shape, 2)
+    codec, state = SampleCodec(shape), state_of(shape, 2)
     written = codec.write(state)
     assert len(written.bodies) == shape.chunks == 1
     chunk = read(codec, codec.datagram(heading(), 0, written.bodies[0]))
@@ -97,7 +97,7 @@ def test_reduced_coordinates_report_what_they_leave_out():
 
 @pytest.mark.parametrize("encoding", ENCODINGS)
 def test_every_truncation_and_extension_is_refused(encoding: str):
-    codec = Codec(layout(5, 3, encoding=encoding))
+    codec = SampleCodec(layout(5, 3, encoding=encoding))
     (payload,) = datagrams(codec, state_of(codec.layout, 0), heading())
     for size in range(len(payload)):
         assert read(codec, payload[:size]) in {Refusal.SHORT, Refusal.SIZE}
@@ -108,7 +108,7 @@ def test_every_truncation_and_extension_is_refused(encoding: str):
 @pytest.mark.parametrize("at", range(HEAD_BYTES))
 def test_every_change_of_the_head_is_refused_or_means_something_else(at: int):
     """No byte of it is without meaning; none of them crashes the reader."""
-    codec = Codec(layout(100, 3))
+    codec = SampleCodec(layout(100, 3))
     payload = datagrams(codec, state_of(codec.layout, 0), heading(7, age=1.0, worst=2.0, held=0.5, echo=1.5))[1]
     good = read(codec, payload)
     for value in range(256):
@@ -157,7 +157,7 @@ BAD = [
 def test_what_cannot_be_is_refused_by_name(name: str, form: str, value: float, reason: Refusal):
     import struct
 
-    codec = Codec(layout(100, 3))
+    codec = SampleCodec(layout(100, 3))
     payload = bytearray(datagrams(codec, state_of(codec.layout, 0), heading(7))[0])
     struct.pack_into(form, payload, OFFSETS[name], value)
     assert read(codec, bytes(payload)) is reason
@@ -166,7 +166,7 @@ def test_what_cannot_be_is_refused_by_name(name: str, form: str, value: float, r
 @pytest.mark.parametrize("place", [0, 1, 131])
 @pytest.mark.parametrize("value", [math.nan, math.inf, 1e5])
 def test_one_bad_number_among_many_is_found(place: int, value: float):
-    codec = Codec(layout(44, 3))
+    codec = SampleCodec(layout(44, 3))
     (payload,) = datagrams(codec, state_of(codec.layout, 0), heading())
     state = np.frombuffer(payload, offset=HEAD_BYTES).copy()
     state[place] = value
@@ -176,29 +176,29 @@ def test_one_bad_number_among_many_is_found(place: int, value: float):
 @pytest.mark.parametrize("encoding", ENCODINGS)
 def test_all_at_the_limit_passes_whatever_the_rounding(encoding: str):
     shape = layout(40, 3, encoding=encoding, limit=0.1)
-    codec = Codec(shape)
+    codec = SampleCodec(shape)
     (payload,) = datagrams(codec, np.full((40, 4), 0.1), heading())
     assert isinstance(read(codec, payload), Chunk)
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, 10001.0])
 def test_what_no_receiver_takes_is_not_sent(value: float):
-    codec = Codec(layout(4, 3))
+    codec = SampleCodec(layout(4, 3))
     state = state_of(codec.layout, 0)
     state[2, 1] = value
     assert codec.write(state) is Refusal.STATE
 
 
 def test_padding_never_travels():
-    codec = Codec(layout(4, 3))
+    codec = SampleCodec(layout(4, 3))
     state = state_of(codec.layout, 0)
     state[:, 3] = math.nan
     assert isinstance(codec.write(state).bodies, list)
 
 
 def test_another_coding_is_refused():
-    payload = datagrams(Codec(layout(4, 3)), np.zeros((4, 4)), heading())[0]
-    assert read(Codec(layout(4, 3, encoding="float32")), payload) is Refusal.ENCODING
+    payload = datagrams(SampleCodec(layout(4, 3)), np.zeros((4, 4)), heading())[0]
+    assert read(SampleCodec(layout(4, 3, encoding="float32")), payload) is Refusal.ENCODING
 
 
 @pytest.mark.parametrize(
@@ -222,7 +222,7 @@ def test_a_layout_that_cannot_be_is_named(options: dict[str, object], message: s
 
 @given(st.binary(max_size=1300))
 def test_noise_is_refused_and_nothing_raised(noise: bytes):
-    codec = Codec(layout(100, 3))
+    codec = SampleCodec(layout(100, 3))
     assert isinstance(read(codec, noise), Refusal)
     assert isinstance(read(codec, b"\1\0\0\0\3\0\0\0\1\0\x2d\0\0\0\0\0" + noise), Refusal | Chunk)
 
@@ -231,7 +231,7 @@ def test_noise_is_refused_and_nothing_raised(noise: bytes):
 @pytest.mark.parametrize("rows", [1, 5, 16, 17, 40])
 def test_the_limit_holds_for_few_numbers_as_for_many(rows: int, encoding: str):
     shape = layout(rows, 1, encoding=encoding, limit=1000.0)
-    codec = Codec(shape)
+    codec = SampleCodec(shape)
     (payload,) = datagrams(codec, np.zeros((rows, shape.width)), heading())
     size = shape.dtype.itemsize
     for at in (0, rows - 1):

@@ -18,13 +18,13 @@ from cotouch.samples import (
     OVERHEAD,
     Assembly,
     Chunk,
-    Codec,
     Coded,
     CodedLink,
     Layout,
     MemoryNetwork,
     PathLaw,
     Refusal,
+    SampleCodec,
     SamplePlane,
 )
 
@@ -119,7 +119,7 @@ def test_all_fields_of_a_law_get_through(quantum: float) -> None:
     """Sums and numbers that are not rounded to the last bit; values no larger than they were; nothing given twice."""
     how = Perceptual(deadband=0.1, quantum=quantum, hold=8)
     shape = coded_layout(40, PAID, how)
-    codec, ends = Codec(shape), [CodedLink(shape, np.ones(40), sender=1) for _ in range(2)]
+    codec, ends = SampleCodec(shape), [CodedLink(shape, np.ones(40), sender=1) for _ in range(2)]
     held = Assembly(shape, sender=1, initial=np.zeros((40, 4)))
     rng = np.random.default_rng(0)
     steady, fields = rng.normal(0, 1.0, (len(PAID.sends), 40, 4)), np.zeros((len(PAID.sends), 40, 4))
@@ -168,7 +168,7 @@ def test_all_fields_of_a_law_get_through(quantum: float) -> None:
 
 def spoken(shape: Layout, brief: bool) -> bytes:
     head = heading(9, stamp=0.009, header=LinkHeader(2, 1, 1, 0.5))
-    return Codec(shape).coded(head, None, b"\x03", brief=brief)
+    return SampleCodec(shape).coded(head, None, b"\x03", brief=brief)
 
 
 @pytest.mark.parametrize(
@@ -194,17 +194,17 @@ def spoken(shape: Layout, brief: bool) -> bytes:
 def test_a_brief_heading_that_cannot_be_is_refused_by_name(at: int, form: str, value: float, reason: Refusal) -> None:
     shape = coded_layout(4)
     payload = bytearray(spoken(shape, brief=True))
-    read = Codec(shape).read(bytes(payload), epoch=3, sender=1)
+    read = SampleCodec(shape).read(bytes(payload), epoch=3, sender=1)
     assert isinstance(read, Coded)
     assert read.heading.header == LinkHeader(2, 1, 1, 0.5)
     struct.pack_into(form, payload, at, value)
-    assert Codec(shape).read(bytes(payload), epoch=3, sender=1) is reason
+    assert SampleCodec(shape).read(bytes(payload), epoch=3, sender=1) is reason
 
 
 def test_words_without_a_base_change_nothing_and_are_bounded() -> None:
     """A neighbour that says for ever that what never came goes on, in whatever order."""
     shape = coded_layout(40)
-    codec, link = Codec(shape), CodedLink(shape, np.ones(40), sender=1)
+    codec, link = SampleCodec(shape), CodedLink(shape, np.ones(40), sender=1)
     rng, blocks = random.Random(0), 0
     for k in range(6000):
         index = rng.choice([k + 300, rng.randrange(1 << 40), rng.randrange(9, 300)])
@@ -236,7 +236,7 @@ def test_a_members_noise_is_finite_and_bounded() -> None:
     """Sealed, so that it gets as far as it can."""
     rng, shape = random.Random(1), coded_layout(100)
     network, users = coded_planes(PathLaw(), shape)
-    link, codec = users[0].links[1], Codec(shape)
+    link, codec = users[0].links[1], SampleCodec(shape)
     good = [spoken(shape, brief=True), spoken(shape, brief=False)]
     for step in range(4):
         x = np.full((100, 4), 0.01 * step)
@@ -258,9 +258,9 @@ def test_a_members_noise_is_finite_and_bounded() -> None:
 
 
 def test_a_session_without_codec_takes_no_coded_words() -> None:
-    plain = Codec(layout(4, 3))
+    plain = SampleCodec(layout(4, 3))
     assert plain.read(spoken(coded_layout(4), brief=True), epoch=3, sender=1) is Refusal.SHORT
     assert plain.read(spoken(coded_layout(4), brief=False), epoch=3, sender=1) is Refusal.ENCODING
     with pytest.raises(SessionError, match="perceptual codec"):
         layout(4, 3, form=ContentForm(HOW, SPRING), encoding="float32")
-    assert not isinstance(Codec(coded_layout(4)).read(bytes(93), epoch=3, sender=1), Chunk)
+    assert not isinstance(SampleCodec(coded_layout(4)).read(bytes(93), epoch=3, sender=1), Chunk)

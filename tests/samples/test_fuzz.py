@@ -9,7 +9,7 @@ import pytest
 from tests.live.support import datagrams, heading, layout, planes, state_of
 
 from cotouch.peer import Sample
-from cotouch.samples import MOST_BYTES, OVERHEAD, Chunk, Codec, Opened, PathLaw, Refusal, SamplePlane
+from cotouch.samples import MOST_BYTES, OVERHEAD, Chunk, Opened, PathLaw, Refusal, SampleCodec, SamplePlane
 
 
 def mutated(rng: random.Random, good: list[bytes]) -> bytes:
@@ -91,7 +91,7 @@ def inside(count: int) -> None:
     rng = random.Random(count)
     for encoding in ("float64", "float32", "float16"):
         shape = layout(100, 3, encoding=encoding)
-        codec = Codec(shape)
+        codec = SampleCodec(shape)
         good = [
             datagram
             for step in range(5)
@@ -132,7 +132,7 @@ def test_a_members_noise_through_the_whole_plane():
         datagram
         for step in range(4)
         for datagram in datagrams(
-            Codec(shape), state_of(shape, step), heading(step, sender=0, flags=3, age=1.0, worst=2.0)
+            SampleCodec(shape), state_of(shape, step), heading(step, sender=0, flags=3, age=1.0, worst=2.0)
         )
     ]
     for k in range(8000):

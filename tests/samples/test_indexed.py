@@ -8,10 +8,10 @@ from tests.live.support import datagrams, heading, layout, state_of
 
 from cotouch.errors import SessionError
 from cotouch.peer import LinkHeader, LinkState, Sample
-from cotouch.samples import Codec, IndexedAssembly, Refusal
+from cotouch.samples import IndexedAssembly, Refusal, SampleCodec
 
 SHAPE = layout(130, 3)  # three chunks
-CODEC = Codec(SHAPE)
+CODEC = SampleCodec(SHAPE)
 
 
 def chunk(step: int, at: int, **changes: object):

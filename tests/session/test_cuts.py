@@ -10,7 +10,7 @@ import pytest
 from tests.members.inside import TOPIC, SharedCuts, Statement
 from tests.session.world import Person, World, entropy
 
-from cotouch.members import Entry, Former, NameOwner, Roster, SessionFile, SharedModel, read, write
+from cotouch.members import Entry, Former, NameOwner, Roster, SessionFile, SharedModel, read_message, write_message
 from cotouch.recording import audit, read_recording
 from cotouch.samples import Identity, PathLaw
 
@@ -55,9 +55,9 @@ def claim(person: Person, what: np.ndarray, **changes: object) -> bytes:
     """What a member may sign, true or not."""
     shared = person.copy._cuts
     assert shared is not None
-    said = read(Statement, shared._signed(what))
+    said = read_message(Statement, shared._signed(what))
     assert said is not None
-    return write(said.model_copy(update=changes))
+    return write_message(said.model_copy(update=changes))
 
 
 @pytest.fixture(scope="module")
@@ -238,7 +238,7 @@ class TestStatements:
         assert np.array_equal(np.flatnonzero(copied.told), np.arange(10))
         copied.own[20:30] = True
         again.service(copied, 2.0, coupled=True)  # pyright: ignore[reportArgumentType]
-        newest = read(Statement, said.bodies[-1])
+        newest = read_message(Statement, said.bodies[-1])
         assert newest is not None
         assert np.array_equal(np.flatnonzero(again._elements(newest.elements)), [*range(10), *range(20, 30)])
 

@@ -12,7 +12,7 @@ from tests.session.world import entropy
 
 from cotouch.control import Endpoint, Invitation
 from cotouch.errors import OutputError, SessionError, TransportError
-from cotouch.members import Part, SessionFile
+from cotouch.members import Participation, SessionFile
 
 SESSION = SessionFile.from_toml("[session]\nusers = 3\n[body]\nmass = 0.5\n")
 INVITATION = Invitation.make(
@@ -102,7 +102,7 @@ def test_a_broken_identity_is_made_anew_and_a_folder_that_is_none_is_said(tmp_pa
 def test_a_key_that_cannot_be_kept_keeps_nobody_out(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     warned: list[str] = []
-    part = Part(name="Ann", version="test", identities=tmp_path / "file")
+    part = Participation(name="Ann", version="test", identities=tmp_path / "file")
     with identity_of(INVITATION, part, warned.append) as identity:
         assert len(identity.public) == 32
     assert len(warned) == 1

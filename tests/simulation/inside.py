@@ -1,5 +1,6 @@
 """What these tests take from inside the room: nothing else here imports its private modules."""
 
+from cotouch.simulation import _layout as layout
 from cotouch.simulation._channel import draw, resent
 from cotouch.simulation._coding import check_codec
 from cotouch.simulation._memory import free_memory, needed, refuse_beyond
@@ -18,6 +19,7 @@ __all__ = [
     "elapsed",
     "free_memory",
     "indexed",
+    "layout",
     "needed",
     "newest",
     "refuse_beyond",

@@ -40,7 +40,7 @@ def test_links_make_no_more_than_their_seeds(law: str) -> None:
     for seed in range(2):
         run = simulate(drawn(law, seed, CODEC | {"deadband": (0.1, 0.9)[seed]}))
         assert run.attrs["law_promises"] == 1
-        assert run.attrs["made"] <= run.attrs["law_seed"] + 1e-12 * run.attrs["energy_in_play"]
+        assert run.attrs["made"] <= run.attrs["law_initial_energy"] + 1e-12 * run.attrs["energy_in_play"]
         assert run.attrs["energy_residual"] < 1e-12
         unchanged += run.attrs["unchanged"]
     assert unchanged > 0

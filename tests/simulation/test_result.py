@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 import xarray as xr
-from tests.simulation.inside import TOOL_UNITS, UNITS
+from tests.simulation.inside import TOOL_UNITS, UNITS, layout
 
 from cotouch.body import chain
 from cotouch.errors import OutputError, ScenarioError
@@ -263,3 +263,12 @@ def test_forces_that_overflowed_or_were_never_written_are_labelled_without_a_war
     outcome = run_batch(ready)
     outcome.record.force[0], outcome.record.force[1] = np.inf, -np.inf
     assert np.isnan(dataset(ready, outcome)["force"].sel(user="Ann").values).any()
+
+
+def test_columns_of_the_engines_ledgers_are_called_as_what_is_in_them():
+    user, tool, closed = layout.USER_LEDGER[:-1], layout.TOOL_LEDGER, (*layout.CLOSED_LEDGER, *layout.WORLD_LEDGER)
+    ledgers = {"USER": user, "TOOL": (*user, *tool), "CLOSED": closed[:6], "SLOT": layout.SLOT_LEDGER}
+    for kind, names in (ledgers | {"TICK": layout.TICK_LEDGER}).items():
+        for column, name in enumerate(names):
+            if kind != "TOOL" or name in tool:
+                assert getattr(layout, f"{kind}_{name.upper()}") == column

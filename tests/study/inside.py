@@ -8,7 +8,7 @@ from cotouch.study._charts import ranks as ranks_chart
 from cotouch.study._confirm import _slowest as slowest
 from cotouch.study._report_solid import solid as chapter
 from cotouch.study._scene import RELEASE, SMALL, scene
-from cotouch.study._solid import SHAPE, Solid, claims, collaboration, solid, warm_up
+from cotouch.study._solid import SHAPE, SolidFindings, claims, collaboration, solid, warm_up
 from cotouch.study._solid_charts import copies, energies
 from cotouch.study._tick import worst_tick
 
@@ -19,7 +19,7 @@ __all__ = [
     "SHAPE",
     "SMALL",
     "Blocks",
-    "Solid",
+    "SolidFindings",
     "attack",
     "blocks",
     "chapter",

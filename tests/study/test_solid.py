@@ -14,7 +14,7 @@ from tests.study.inside import (
     SHAPE,
     SMALL,
     Blocks,
-    Solid,
+    SolidFindings,
     blocks,
     chapter,
     claims,
@@ -33,7 +33,7 @@ BEST = five_users().with_links(pairs("12 14 23 24 34 45"))
 
 
 @pytest.fixture(scope="module")
-def found() -> Solid:
+def found() -> SolidFindings:
     return solid(BEST, quick=True)
 
 
@@ -44,7 +44,7 @@ def run():
 
 
 class TestBlocks:
-    def test_ports_in_a_row_carry_what_the_hands_put_in(self, found: Solid):
+    def test_ports_in_a_row_carry_what_the_hands_put_in(self, found: SolidFindings):
         for one in found.runs.values():
             seen = one.blocks
             taken = seen.device + seen.coupling + seen.contact + seen.object
@@ -130,7 +130,7 @@ class TestBlocks:
 
 
 class TestSolid:
-    def test_every_claim_holds(self, found: Solid):
+    def test_every_claim_holds(self, found: SolidFindings):
         for row in found.claims:
             assert len(row) == 2
             for claim in row:
@@ -138,7 +138,7 @@ class TestSolid:
         assert found.holds
         assert found.residual <= 1e-10
 
-    def test_all_sorts_of_devices_are_there(self, found: Solid):
+    def test_all_sorts_of_devices_are_there(self, found: SolidFindings):
         tables = scene(BEST, "freshest", shape=SMALL).tools
         devices = [tool.device for tool in tables]
         assert [tool.kind for tool in tables].count("grasp") == 2
@@ -148,11 +148,11 @@ class TestSolid:
         for one in found.runs.values():
             assert [port.user for port in one.blocks.couplings] == list(range(5))
 
-    def test_everyone_holds_at_rest(self, found: Solid):
+    def test_everyone_holds_at_rest(self, found: SolidFindings):
         for one in found.runs.values():
             assert np.linalg.norm(one.rest.force, axis=1).min() > 0.1
 
-    def test_forces_at_rest_are_those_of_the_average(self, found: Solid):
+    def test_forces_at_rest_are_those_of_the_average(self, found: SolidFindings):
         """Eq. (6) from the matrices, all of it: also its resultant."""
         body = scene(BEST, "freshest", shape=SMALL).build_body()
         for one in found.runs.values():
@@ -176,7 +176,7 @@ class TestSolid:
         broken = collaboration(prepared, replace(outcome, position=position))
         assert not claims([broken])[-1][0].holds
 
-    def test_far_below_the_rule_the_object_makes_energy(self, found: Solid):
+    def test_far_below_the_rule_the_object_makes_energy(self, found: SolidFindings):
         below: Blocks = found.below
         assert below.port_margin < -0.05
         assert below.object[below.time < 1.0].max() > 0.05
@@ -185,10 +185,10 @@ class TestSolid:
         assert below.aged > 0.05
         assert below.object[below.time <= RELEASE][-1] == pytest.approx(below.port_margin, rel=0.1)
 
-    def test_too_little_damping_must_show(self, found: Solid):
+    def test_too_little_damping_must_show(self, found: SolidFindings):
         assert not replace(found, below=found.runs["constant"].blocks).holds
 
-    def test_json(self, found: Solid):
+    def test_json(self, found: SolidFindings):
         numbers = json.loads(json.dumps(found.numbers(), allow_nan=False))
         assert numbers["nodes"] == np.prod(SMALL)
         assert {claim["mode"] for claim in numbers["claims"]} == {"constant", "freshest"}
@@ -203,25 +203,25 @@ class TestSolid:
 
 
 class TestChapter:
-    def test_says_what_was_found(self, found: Solid):
+    def test_says_what_was_found(self, found: SolidFindings):
         text = chapter(found, "12 14 23 24 34 45").body
         assert text.count('class="verdict yes"') == len(found.claims)
         assert f"{np.prod(SMALL):,} nodes" in text
         assert "nan" not in text.lower().split()
 
-    def test_a_claim_that_fails_is_marked(self, found: Solid):
+    def test_a_claim_that_fails_is_marked(self, found: SolidFindings):
         row = tuple(replace(claim, measured=2.0 * abs(claim.limit) + 1.0) for claim in found.claims[1])
         text = chapter(replace(found, claims=(row, *found.claims[1:])), "12").body
         assert text.count('class="verdict no"') == 1
 
-    def test_lines_of_the_energies_are_the_blocks(self, found: Solid):
+    def test_lines_of_the_energies_are_the_blocks(self, found: SolidFindings):
         with drawing.style():
             drawn = energies(found)
         lines = {line.get_label(): line for line in drawn.axes[0].get_lines()}
         assert lines["shared object"].get_ydata()[-1] == pytest.approx(found.runs["constant"].blocks.object[-1])
         assert lines["work of the hands"].get_ydata()[-1] == pytest.approx(found.runs["constant"].blocks.human[-1])
 
-    def test_pictures_show_every_copy_in_one_scale(self, found: Solid):
+    def test_pictures_show_every_copy_in_one_scale(self, found: SolidFindings):
         with drawing.style():
             drawn = copies(found)
         assert len(drawn.axes) == 6

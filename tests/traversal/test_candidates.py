@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from cotouch.errors import SessionError
-from cotouch.samples import Address, flaw, origin, plain
+from cotouch.samples import Address, flaw, origin, plain_address
 from cotouch.traversal import (
     MOST_CANDIDATES,
     Candidate,
@@ -18,7 +18,7 @@ from cotouch.traversal import (
 
 NONCE = bytes(range(16))
 hosts = st.one_of(st.ip_addresses(v=4), st.ip_addresses(v=6)).map(str)
-anywhere = st.builds(lambda host, port: plain((host, port)), hosts, st.integers(0, 65535))
+anywhere = st.builds(lambda host, port: plain_address((host, port)), hosts, st.integers(0, 65535))
 usable = st.builds(
     Candidate,
     st.sampled_from([CandidateKind.LOCAL, CandidateKind.REFLEXIVE]),
@@ -115,7 +115,7 @@ def test_local_candidates_are_where_it_listens(listening: str, expected: list[st
 
 def test_the_machines_own_interfaces():
     assert "127.0.0.1" in interface_hosts()
-    assert all(plain((host, 1)) is not None for host in interface_hosts())
+    assert all(plain_address((host, 1)) is not None for host in interface_hosts())
 
 
 @pytest.mark.parametrize(("source", "expected"), [
@@ -123,7 +123,7 @@ def test_the_machines_own_interfaces():
     (("name", 5), None), ("192.0.2.1:5", None), (("192.0.2.1", "5"), None), ((1, 5), None), ((), None),
 ])  # fmt: skip
 def test_one_form_of_an_address(source: object, expected: Address | None):
-    assert plain(source) == expected
+    assert plain_address(source) == expected
 
 
 def test_an_owner_of_addresses():

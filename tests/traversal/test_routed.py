@@ -9,10 +9,10 @@ from tests.live.internet import Exchange, Internet, MemoryControl, Nat, VirtualS
 from tests.live.support import agree, agreements, entropy, identities, layout, state_of
 from tests.traversal.shown import asking
 
-from cotouch.control import Message, Relayed
+from cotouch.control import Relayed, SignedMessage
 from cotouch.errors import SessionError, TransportError
 from cotouch.peer import Sample
-from cotouch.samples import MOST_BYTES, Address, Arrival, Assembly, SampleLink, SamplePlane, UdpTransport, plain
+from cotouch.samples import MOST_BYTES, Address, Arrival, Assembly, SampleLink, SamplePlane, UdpTransport, plain_address
 from cotouch.traversal import (
     ByRelay,
     Candidate,
@@ -256,7 +256,7 @@ def test_who_comes_later_is_told_at_once(alone):
     net.now = 1.0
     body = write_offer(bytes(16), [])
     for _ in range(3):
-        transport.take(Message(other.identity.public, "path.candidates", body, True))
+        transport.take(SignedMessage(other.identity.public, "path.candidates", body, True))
         transport.poll()
     assert len(other.poll()) == 1
 
@@ -332,7 +332,7 @@ def test_over_real_sockets(hosts: tuple[str, str]):
             transports[k % 2].send(1 - k % 2, b"direct")
         if len(got) >= 2 and transports[0].mapped:
             break
-    assert {plain(arrival.source) for arrival in got} == {at, Address(hosts[0], sockets[0].address.port)}
+    assert {plain_address(arrival.source) for arrival in got} == {at, Address(hosts[0], sockets[0].address.port)}
     assert transports[0].mapped == (Address(hosts[0], sockets[0].address.port),)
     assert [transport.direct.sent for transport in transports] != [0, 0]
     for transport in transports:
@@ -425,15 +425,15 @@ def test_candidates_are_believed_of_the_neighbour_alone_and_only_in_private(alon
     transport.introduce(1, members[1].public)
     body = write_offer(bytes(16), [Candidate(CandidateKind.LOCAL, victim.address)])
     for sender, direct in ((members[2], True), (members[1], False)):
-        assert transport.take(Message(sender.public, "path.candidates", body, direct))
-    assert transport.take(Message(members[1].public, "path.candidates", b"nonsense", True))
-    assert not transport.take(Message(members[1].public, "roster", body, True))
+        assert transport.take(SignedMessage(sender.public, "path.candidates", body, direct))
+    assert transport.take(SignedMessage(members[1].public, "path.candidates", b"nonsense", True))
+    assert not transport.take(SignedMessage(members[1].public, "roster", body, True))
     assert transport.probes.dropped["candidates"] == 2
     for _ in range(100):
         net.now += 0.02
         transport.poll()
     assert victim.poll() == []
-    transport.take(Message(members[1].public, "path.candidates", body, True))
+    transport.take(SignedMessage(members[1].public, "path.candidates", body, True))
     for _ in range(2000):
         net.now += 0.02
         transport.poll()
@@ -454,7 +454,7 @@ def test_addresses_beyond_this_socket_are_not_asked(listening: str, host: str, a
     )  # fmt: skip
     transport.introduce(1, members[1].public)
     body = write_offer(bytes(16), [Candidate(CandidateKind.LOCAL, Address(host, 7))])
-    transport.take(Message(members[1].public, "path.candidates", body, True))
+    transport.take(SignedMessage(members[1].public, "path.candidates", body, True))
     transport.poll()
     assert [to.host for _, _, to, _ in net.log] == [host] * asked
 

@@ -22,7 +22,8 @@ import numpy as np
 
 from cotouch.body import Body, Placed, Skin, ToolBody, chain, lattice, point, rigid_box, together
 from cotouch.errors import SessionError
-from cotouch.members import Entry, LinkStatus, Pair, Roster, SessionEvent, Status
+from cotouch.members import Entry, LinkStatus, Roster, SessionEvent, Status
+from cotouch.network import Pair
 from cotouch.observers import (
     ChooseLinks,
     Command,

@@ -1,7 +1,7 @@
 """The shared object and builders for it."""
 
 from cotouch.body._body import Body
-from cotouch.body._builders import MOST_NODES, GridModel, Ground, chain, lattice, point
+from cotouch.body._builders import MOST_NODES, GridModel, chain, lattice, point
 from cotouch.body._checks import Matrix, SumOfSquares
 from cotouch.body._closed_surface import closed_surface
 from cotouch.body._cut_away import cut_away
@@ -10,7 +10,7 @@ from cotouch.body._cut_skin import FACES, CutSkin, cut_skin, drawn_skin
 from cotouch.body._eigenspaces import canonical
 from cotouch.body._from_surface import MOST_TRIANGLES, body_from_surface
 from cotouch.body._from_tetrahedra import MOST_ELEMENTS, body_from_tetrahedra
-from cotouch.body._ground import Box, Held, NodeSet, Plane
+from cotouch.body._ground import Held, NodeSet, NodesInBox, NodesNearPlane
 from cotouch.body._material import Frame, Material, add_solid_law, solid_laws
 from cotouch.body._mesh_material import SurfaceModel, is_solid_model, solid_models
 from cotouch.body._origin import Origin
@@ -24,7 +24,6 @@ from cotouch.body._statics import lowest_modes
 from cotouch.body._strains import SIGNS, axial, frame_of, shares_of, strain_law, turn_vectors
 from cotouch.body._together import Placed, joined, together
 from cotouch.body._truncation import Truncation
-from cotouch.meshfile import SURFACES, VOLUMES, is_surface
 
 __all__ = [
     "FACES",
@@ -32,23 +31,20 @@ __all__ = [
     "MOST_NODES",
     "MOST_TRIANGLES",
     "SIGNS",
-    "SURFACES",
-    "VOLUMES",
     "Body",
-    "Box",
     "CutSkin",
     "DrawnPart",
     "Frame",
     "GridModel",
-    "Ground",
     "Held",
     "Material",
     "Matrix",
     "NodeSet",
+    "NodesInBox",
+    "NodesNearPlane",
     "Origin",
     "Part",
     "Placed",
-    "Plane",
     "Skin",
     "SumOfSquares",
     "SurfaceModel",
@@ -70,7 +66,6 @@ __all__ = [
     "frame_of",
     "grip_shares",
     "is_solid_model",
-    "is_surface",
     "joined",
     "lattice",
     "lowest_modes",

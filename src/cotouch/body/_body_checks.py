@@ -35,6 +35,12 @@ def rest_shape(rest: npt.ArrayLike) -> Float:
 
 
 def check_mass(mass: sp.csr_array, rows_per_node: int) -> None:
+    """Refuses masses that are not positive, or larger than can be computed.
+
+    Args:
+        mass: M, (rows, rows) [kg].
+        rows_per_node: axes of a node if each has a row of its own, else 1.
+    """
     own = mass.diagonal()
     bad = np.flatnonzero(own <= 0.0)
     if bad.size:
@@ -55,6 +61,14 @@ _SHORTEST = 1e-12  # [s]
 
 
 def check_rates(mass: sp.csr_array, stiffness: sp.csr_array, damping: sp.csr_array, rows_per_node: int) -> None:
+    """Refuses nodes that would swing, or stop, faster than can be computed.
+
+    Args:
+        mass: M, (rows, rows) [kg].
+        stiffness: K, likewise [N/m].
+        damping: B, likewise [Ns/m].
+        rows_per_node: axes of a node if each has a row of its own, else 1.
+    """
     own = mass.diagonal()
     with np.errstate(over="ignore"):  # infinite is too fast as well
         fast, damped = np.sqrt(stiffness.diagonal() / own), damping.diagonal() / own

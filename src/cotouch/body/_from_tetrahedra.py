@@ -73,8 +73,8 @@ def body_from_tetrahedra(
         mass: of the whole body, instead of density times volume [kg].
         rayleigh_mass: α of the damping α M + β K [1/s], >= 0.
         rayleigh_stiffness: β [s], >= 0.
-        ground: which nodes are held: "none", "all", a face such as "z-", a `Plane`, a `Box` [m], a `NodeSet` of the
-            file, or indices among the nodes of the body.
+        ground: which nodes are held: "none", "all", a face such as "z-", a `NodesNearPlane`, a `NodesInBox` [m], a
+            `NodeSet` of the file, or indices among the nodes of the body.
         ground_stiffness: of each held node [N/m].
         ground_damping: of each held node [Ns/m].
         frame: of a linear body ("springs", "elastic"): "floating" (the default) turns as a whole without a force;

@@ -19,7 +19,7 @@ _FREE = 1e-9
 
 @final
 @dataclass(frozen=True, kw_only=True)
-class Plane:
+class NodesNearPlane:
     """The nodes within `thickness` of a plane, on either side of it.
 
     Attributes:
@@ -35,7 +35,7 @@ class Plane:
 
 @final
 @dataclass(frozen=True, kw_only=True)
-class Box:
+class NodesInBox:
     """The nodes inside a box along the axes, or on its faces.
 
     Attributes:
@@ -61,7 +61,12 @@ class NodeSet:
 
 # Which nodes the ground holds: none, all, a face of the bounding box ("x-" has the smallest x), or a place.
 Held: TypeAlias = (
-    Sequence[int] | Literal["none", "all", "x-", "x+", "y-", "y+", "z-", "z+"] | str | Plane | Box | NodeSet
+    Sequence[int]
+    | Literal["none", "all", "x-", "x+", "y-", "y+", "z-", "z+"]
+    | str
+    | NodesNearPlane
+    | NodesInBox
+    | NodeSet
 )
 
 
@@ -79,7 +84,7 @@ def held_nodes(ground: Held, rest: Float, *, slack: float, spacing: float, sets:
         BodyError: it means no node, a set or face that is not there, or is not geometry.
     """
     size = float(np.ptp(rest, axis=0).max())
-    if isinstance(ground, Plane):
+    if isinstance(ground, NodesNearPlane):
         point, normal = _three("the plane's point", ground.point), _three("the plane's normal", ground.normal)
         length = float(np.linalg.norm(normal))
         if length == 0.0:
@@ -93,7 +98,7 @@ def held_nodes(ground: Held, rest: Float, *, slack: float, spacing: float, sets:
             found,
             f"the plane holds no node: the nearest is {distance.min():.4g} m away, thickness is {thickness:.4g} m",
         )
-    if isinstance(ground, Box):
+    if isinstance(ground, NodesInBox):
         low, high = _three("the box's low", ground.low), _three("the box's high", ground.high)
         if np.any(low > high):
             raise BodyError(f"the ground's box is from {low.tolist()} to {high.tolist()}; low must not be above high")

@@ -8,11 +8,12 @@ from rich.console import Console
 from rich.table import Table
 
 from cotouch.arrays import Float
-from cotouch.body import Body, is_surface
+from cotouch.body import Body
 from cotouch.cli._output import literal, new_table, number, print_json, print_note, print_written, working
 from cotouch.errors import ScenarioError
 from cotouch.files import beside, folder
 from cotouch.interrupt import interruptible
+from cotouch.meshfile import is_surface
 from cotouch.scenario import FileTable, Scenario
 from cotouch.simulation import BodyReport, body_report, save_body_figure
 

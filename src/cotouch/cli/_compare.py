@@ -49,7 +49,7 @@ def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) ->
             shown.add_row(literal(law), *(_cell(*costs[law, network, users]) for network in networks))
         console.print(shown)
     for law, energy in broken(found).items():
-        told = f"  – {law} promises to be passive, but its links made {number(energy, 'J', digits=3)} beyond its seed"
+        told = f"  – {law} promises to be passive, but made {number(energy, 'J', digits=3)} beyond its initial energy"
         console.print(told, style="red", highlight=False, markup=False, soft_wrap=True)
     for problem in json.loads(found.attrs["problems"]):
         console.print(f"  – {problem}", style="yellow", highlight=False, markup=False, soft_wrap=True)

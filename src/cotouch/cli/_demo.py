@@ -12,7 +12,7 @@ from rich.table import Table
 from rich.text import Text
 
 from cotouch.cli._output import literal, print_json
-from cotouch.cli._progress import Progress
+from cotouch.cli._progress import ProgressLine
 from cotouch.cli._session import shown, stop_signals
 from cotouch.cli._table import balance, felt_words, verdict
 from cotouch.errors import SessionError
@@ -46,7 +46,7 @@ def run(
     record: Path | None,
     headless: bool,
     as_json: bool,
-    progress: Progress,
+    progress: ProgressLine,
     beside: Callable[[DemoSessionApi], AbstractContextManager[object]] | None = None,
 ) -> None:
     """Plays the demonstration and says how it went.

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from cotouch.cli._output import print_json, working
-from cotouch.files import NETCDF, prepare
+from cotouch.files import NETCDF, check_writable
 from cotouch.recording import read_recording, recordings_dataset, save_dataset
 
 
@@ -17,7 +17,7 @@ def run(files: Sequence[Path], *, out: Path, as_json: bool) -> None:
         out: file to write; None: none.
         as_json: whether to print one JSON object and nothing else on standard output.
     """
-    prepare(out, NETCDF, files)
+    check_writable(out, NETCDF, files)
     with working("Reading ...", quiet=as_json):
         recordings = [read_recording(file) for file in files]
     run_of_all = recordings_dataset(recordings)

@@ -13,7 +13,7 @@ from cotouch.cli._compare import CELLS, RESULTS
 from cotouch.cli._output import counting, literal, new_table, number, print_json, print_written, working
 from cotouch.errors import ScenarioError, printable
 from cotouch.files import beside, folder, write_netcdf
-from cotouch.laboratory import FIGURES, impedance, impedance_figure, values_of
+from cotouch.laboratory import SWEPT, impedance, impedance_figure, values_of
 from cotouch.laboratory import sweep as sweep_scenario
 from cotouch.scenario import Scenario
 
@@ -107,10 +107,10 @@ def sweep(path: Path, *, vary: Sequence[str], out: Path | None, dask: str | None
     table: Any = found.to_dataframe().reset_index()
     rows: list[dict[str, Any]] = table.to_dict("records")
     if as_json:
-        print_json({"runs": rows, "units": {name: unit for name, (unit, _) in FIGURES.items()}})
+        print_json({"runs": rows, "units": {name: unit for name, (unit, _) in SWEPT.items()}})
         return
 
-    units = {name: unit for name, (unit, _) in FIGURES.items() if name != "finished"}
+    units = {name: unit for name, (unit, _) in SWEPT.items() if name != "finished"}
     headings = (f"{name.removeprefix('law_')}\n{unit}" for name, unit in units.items())
     listed = new_table(*map(literal, options), *headings, text=len(options))
     for row in rows:
@@ -119,7 +119,7 @@ def sweep(path: Path, *, vary: Sequence[str], out: Path | None, dask: str | None
             listed.add_row(*cells, "–")
             continue
         numbers = [number(float(row[name]), digits=3) for name in units]
-        active = row["made"] > row["law_seed"] + 1e-9 or not row["finished"]
+        active = row["made"] > row["law_initial_energy"] + 1e-9 or not row["finished"]
         listed.add_row(*cells, *numbers, style="red" if active else None)
     Console().print(listed)
     for problem in sorted({row["problem"] for row in rows} - {""}):

@@ -184,10 +184,10 @@ def demo(
     """
     from cotouch.cli._page import page as paged
     from cotouch.cli._page import watched
-    from cotouch.cli._progress import Progress
+    from cotouch.cli._progress import ProgressLine
 
     wanted = not (headless or as_json) if page is None else page
-    with Progress(quiet=headless or as_json) as progress:
+    with ProgressLine(quiet=headless or as_json) as progress:
         progress.say("starting")  # before what the page and the session need is loaded, which takes seconds
         from cotouch.cli._demo import run
 

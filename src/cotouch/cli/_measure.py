@@ -8,8 +8,8 @@ from cotouch.cli._output import literal, new_table, print_json, working
 from cotouch.cli._session import stop_signals, typed
 from cotouch.control import Invitation
 from cotouch.errors import printable
-from cotouch.files import prepare, write
-from cotouch.session import Measured, measure
+from cotouch.files import check_writable, write
+from cotouch.session import MeasuredNetwork, measure
 
 
 def run(invitation: str, *, seconds: float, listen: str | None, out: Path | None, as_json: bool) -> None:
@@ -23,7 +23,7 @@ def run(invitation: str, *, seconds: float, listen: str | None, out: Path | None
         as_json: whether to print one JSON object and nothing else on standard output.
     """
     if out is not None:
-        prepare(out, (".toml",))
+        check_writable(out, (".toml",))
     decoded = Invitation.decode(typed() if invitation == "-" else invitation)
     with stop_signals() as stopped, working(f"measuring for {seconds:g} s ...", quiet=as_json):
         found = measure(decoded, seconds=seconds, listen=listen, stopped=stopped)
@@ -35,7 +35,7 @@ def run(invitation: str, *, seconds: float, listen: str | None, out: Path | None
         _print(found, out)
 
 
-def numbers(found: Measured) -> dict[str, object]:
+def numbers(found: MeasuredNetwork) -> dict[str, object]:
     """What was measured, for JSON; users are numbered from 1."""
     network = found.network
     return {
@@ -48,7 +48,7 @@ def numbers(found: Measured) -> dict[str, object]:
     }
 
 
-def _print(found: Measured, out: Path | None) -> None:
+def _print(found: MeasuredNetwork, out: Path | None) -> None:
     network = found.network
     missing = {*found.missing, *((b, a) for a, b in found.missing)}
     linked = {*network.links, *((b, a) for a, b in network.links)}

@@ -12,7 +12,7 @@ _DRAW, _LOG = 0.25, 1.0
 
 
 @final
-class Progress:
+class ProgressLine:
     """Says on standard error what takes time, from a thread of its own; compilation leaves the main one no turn."""
 
     def __init__(self, *, quiet: bool) -> None:

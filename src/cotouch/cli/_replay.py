@@ -13,7 +13,7 @@ from rich.table import Table
 from cotouch.arrays import Float
 from cotouch.cli._output import literal, number, print_json
 from cotouch.peer import LinkState
-from cotouch.recording import Recording, play, read_recording
+from cotouch.recording import Recording, read_recording, replay
 from cotouch.units import user_number
 
 # Of the table, while it plays; and of the lines where there is no terminal, in seconds of the recording.
@@ -37,7 +37,7 @@ def run(path: Path, *, speed: float, start: float, stop: float | None, as_json: 
     if as_json:
         print_json(_summary(recording))
         return
-    steps = play(recording, speed=speed, start=start, stop=float("inf") if stop is None else stop)
+    steps = replay(recording, speed=speed, start=start, stop=float("inf") if stop is None else stop)
     shown = -float("inf")
     if not sys.stdout.isatty():
         for step in steps:

@@ -13,13 +13,13 @@ from cotouch.cli._console import Console
 from cotouch.cli._output import print_json, say
 from cotouch.cli._page import page as paged
 from cotouch.errors import SessionError
-from cotouch.files import prepare
+from cotouch.files import check_writable
 
 if TYPE_CHECKING:
     from sys import UnraisableHookArgs
 
     from cotouch.control import Invitation
-    from cotouch.members import Part, PartOutcome, SessionWatch
+    from cotouch.members import Participation, ParticipationOutcome, SessionWatch
     from cotouch.session import MemberSessionApi
 
 _POLL = 0.02
@@ -123,7 +123,7 @@ def join(
     """
     from cotouch import __version__
     from cotouch.control import Invitation
-    from cotouch.members import Part
+    from cotouch.members import Participation
     from cotouch.session import identity_folder
     from cotouch.session import join as take_part
 
@@ -131,9 +131,9 @@ def join(
     if device is not None:
         _known_device(device)
     if record is not None:
-        prepare(record)
+        check_writable(record)
     decoded = Invitation.decode(typed() if invitation == "-" else invitation)
-    part = Part(
+    part = Participation(
         name=name or _own_name(),
         version=__version__,
         hand="none" if hand == "none" else "scripted",
@@ -177,7 +177,7 @@ def join(
         sys.exit(1)
 
 
-def numbers(taken: "PartOutcome") -> dict[str, object]:
+def numbers(taken: "ParticipationOutcome") -> dict[str, object]:
     """How taking part went, for JSON; the user is numbered from 1, slots in the status from 0."""
     status = taken.status
     return {
@@ -192,7 +192,7 @@ def numbers(taken: "PartOutcome") -> dict[str, object]:
     }
 
 
-def sentence(taken: "PartOutcome") -> str:
+def sentence(taken: "ParticipationOutcome") -> str:
     """How taking part went, for people."""
     status = taken.status
     why = "the host ended the session; " if taken.why == "ended" else ""
@@ -279,7 +279,7 @@ def shown(
         yield redraw
 
 
-def _with_table(invitation: "Invitation", part: "Part") -> None:
+def _with_table(invitation: "Invitation", part: "Participation") -> None:
     """Takes part in a process of its own, so that drawing never makes a step late, and shows the session here."""
     from cotouch.session import MemberProcess, watching
 
@@ -303,7 +303,7 @@ def _with_table(invitation: "Invitation", part: "Part") -> None:
 def staged(
     invitation: "Invitation",
     beside: "Callable[[MemberSessionApi], AbstractContextManager[object]]",
-    part: "Part",
+    part: "Participation",
     *,
     quiet: bool,
 ) -> None:
@@ -341,7 +341,7 @@ def staged(
         sys.exit(code or 1)
 
 
-def _options(part: "Part") -> list[str]:
+def _options(part: "Participation") -> list[str]:
     """Of the process that takes part."""
     options = ["--device", part.device or part.hand]
     for flag, value in (("--duration", part.seconds), ("--record", part.record)):

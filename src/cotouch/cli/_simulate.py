@@ -18,7 +18,7 @@ from cotouch.cli._output import (
     print_written,
     working,
 )
-from cotouch.files import NETCDF, beside, folder, list_of, prepare
+from cotouch.files import NETCDF, beside, check_writable, folder, list_of
 from cotouch.interrupt import interruptible
 from cotouch.scenario import Scenario
 from cotouch.simulation import (
@@ -59,11 +59,11 @@ def run(
         scenario = scenario.replace(synchronisation__law=law)
     read = (path, *scenario.files())
     if out is not None:
-        prepare(out, NETCDF, read)
+        check_writable(out, NETCDF, read)
     if figures is not None:
         beside(folder(figures), [f"{name}.png" for name in FIGURES], read)
     if animation is not None:
-        prepare(animation, HTML, read)
+        check_writable(animation, HTML, read)
         if scenario.record.frames is None:
             scenario = scenario.replace(record__frames=interruptible(frame_rate)(scenario))
     wait = "a minute and a half" if scenario.tools else "half a minute"
@@ -246,7 +246,7 @@ def _hot(tools: list[ToolSummary]) -> list[str]:
 
 def _law(judged: Judged, rounding: float) -> str:
     """What the links made, and whether that is what their law promises."""
-    made, seed = (value if value > rounding else 0.0 for value in (judged["made_j"], judged["seed_j"]))
+    made, seed = (value if value > rounding else 0.0 for value in (judged["made_j"], judged["initial_energy_j"]))
     text = f"{judged['law']}: created {number(made, 'J', digits=3)}"
     if judged["promised"] and not judged["kept"]:
         return f"[red]{text}, but guarantees at most {number(seed, 'J', digits=3)}[/red]"

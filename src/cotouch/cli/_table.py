@@ -7,7 +7,7 @@ from rich.table import Table
 from rich.text import Text
 
 from cotouch.device import NOTICED_DRAG
-from cotouch.members import LinkStatus, MemberState, SessionWatch, Status, felt, margin_of
+from cotouch.members import LinkStatus, MemberState, SessionWatch, Status, law_felt, margin_of
 
 # States of a link, so that a row of them can be read at a glance: mark, colour, what it means.
 _MARKS = {
@@ -106,7 +106,7 @@ def verdict(known: Sequence[Status], *, left: bool) -> str:
 
 def felt_words(known: Sequence[Status]) -> str:
     """Which law the links have, what energy of it is on its way, and what drag hands feel of it, in a sentence."""
-    found = felt(known)
+    found = law_felt(known)
     if found is None:
         return ""
     said = [] if found.on_the_way is None else [f"{1e3 * found.on_the_way:.3g} mJ on its way"]

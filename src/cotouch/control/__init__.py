@@ -1,7 +1,7 @@
 """What members must all agree on: invitations, signed messages, presence and files, over Zenoh or in memory."""
 
 from cotouch.control._certificates import TlsCertificates, make_certificates
-from cotouch.control._control import ControlPlane, Message, Relayed
+from cotouch.control._control import ControlPlane, Relayed, SignedMessage
 from cotouch.control._control_memory import MemoryControl, MemoryControlNetwork
 from cotouch.control._control_router import ControlRouter
 from cotouch.control._control_zenoh import ZenohControl
@@ -19,12 +19,12 @@ __all__ = [
     "Invitation",
     "MemoryControl",
     "MemoryControlNetwork",
-    "Message",
     "MessageReader",
     "MessageRefusal",
     "MessageWriter",
     "Presence",
     "Relayed",
+    "SignedMessage",
     "TlsCertificates",
     "ZenohControl",
     "free_port",

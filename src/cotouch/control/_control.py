@@ -5,7 +5,7 @@ from typing import NamedTuple, Protocol
 from cotouch.samples import Identity
 
 
-class Message(NamedTuple):
+class SignedMessage(NamedTuple):
     """A message of a member, its signature checked.
 
     Attributes:
@@ -57,7 +57,7 @@ class ControlPlane(Protocol):
         """
         ...
 
-    def poll(self) -> list[Message]:
+    def poll(self) -> list[SignedMessage]:
         """What was said since the last call."""
         ...
 

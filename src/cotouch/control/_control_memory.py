@@ -7,7 +7,7 @@ from typing import final
 
 import numpy as np
 
-from cotouch.control._control import Message, Relayed
+from cotouch.control._control import Relayed, SignedMessage
 from cotouch.control._presence import WINDOW, Presence
 from cotouch.control._sign import MessageReader, MessageRefusal, MessageWriter
 from cotouch.errors import SessionError
@@ -196,7 +196,7 @@ class MemoryControl:
         self._shunned = frozenset[bytes]()
         self.dropped = Counter[str]()
         self._inbox: list[tuple[float, int, bytes, bytes, bool]] = []
-        self._received = list[Message]()
+        self._received = list[SignedMessage]()
         self._relayed: list[tuple[float, int, Relayed]] = []
         self._asked: dict[bytes, float] = {}
         self._count = 0
@@ -219,7 +219,7 @@ class MemoryControl:
         if self._open:
             self._network.carry(self.identity.public, to, self._writer.write(topic, body, to))
 
-    def poll(self) -> list[Message]:
+    def poll(self) -> list[SignedMessage]:
         """What was said since the last call."""
         out, self._received = self._received, []
         return out
@@ -282,9 +282,9 @@ class MemoryControl:
                 self._presence.receive(raw, time)
                 continue
             read = self._reader.read(raw, time)
-            if isinstance(read, Message) and read.sender in self._shunned:
+            if isinstance(read, SignedMessage) and read.sender in self._shunned:
                 self.dropped["shunned"] += 1
-            elif isinstance(read, Message):
+            elif isinstance(read, SignedMessage):
                 self._received.append(read)
         if self._presence.wait(now) == 0.0:
             self._beat(now)

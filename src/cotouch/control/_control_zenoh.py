@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from queue import Empty
 from typing import TYPE_CHECKING, NamedTuple, final
 
-from cotouch.control._control import Message, Relayed
+from cotouch.control._control import Relayed, SignedMessage
 from cotouch.control._files import Files
 from cotouch.control._forward import Forwarder
 from cotouch.control._held import HeldQueue
@@ -86,7 +86,7 @@ class ZenohControl:
         self._writer = MessageWriter(identity, invitation.id, started=time.time_ns())
         self._reader = MessageReader(identity.public, invitation.id)
         self._lock = threading.Lock()  # among Zenoh's threads only
-        self._inbox, self._outbox = HeldQueue[Message](), HeldQueue[_Said]()
+        self._inbox, self._outbox = HeldQueue[SignedMessage](), HeldQueue[_Said]()
         self._relays = Relays(identity, invitation.id, self.dropped)
         self._starts = Starts()
         self._near: frozenset[bytes] = (
@@ -156,7 +156,7 @@ class ZenohControl:
         elif not self._outbox.put(_Said(topic, body, to), len(body)):
             self.dropped["not sent yet"] += 1
 
-    def poll(self) -> list[Message]:
+    def poll(self) -> list[SignedMessage]:
         """What was said since the last call."""
         return self._inbox.drain()
 

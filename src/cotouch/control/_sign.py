@@ -17,7 +17,7 @@ from typing import final
 from cryptography.exceptions import InvalidSignature
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PublicKey
 
-from cotouch.control._control import Message
+from cotouch.control._control import SignedMessage
 from cotouch.errors import SessionError
 from cotouch.samples import Bucket, Identity, SourceLimit
 
@@ -148,7 +148,7 @@ class MessageReader:
         self._gone: dict[bytes, int] = {}
         self._keys: dict[bytes, Ed25519PublicKey] = {}
 
-    def read(self, message: bytes, now: float) -> Message | MessageRefusal:
+    def read(self, message: bytes, now: float) -> SignedMessage | MessageRefusal:
         """What was said, if it is whole, new, for this member, and truly the sender's.
 
         Args:
@@ -176,7 +176,7 @@ class MessageReader:
             del self._gone[next(iter(self._gone))]
         self._gone[sender] = self._last.pop(sender)
 
-    def _read(self, message: bytes, now: float) -> Message | MessageRefusal:
+    def _read(self, message: bytes, now: float) -> SignedMessage | MessageRefusal:
         if not _LEAST <= len(message) <= MOST_MESSAGE:
             return MessageRefusal.SIZE
         if message[:4] != _MAGIC:
@@ -210,4 +210,4 @@ class MessageReader:
         self._last[sender], self._keys[sender] = counter, key
         self._gone.pop(sender, None)
         self._limit.know(sender)
-        return Message(sender, topic, message[end:-_SIGNATURE], recipient != _ALL)
+        return SignedMessage(sender, topic, message[end:-_SIGNATURE], recipient != _ALL)

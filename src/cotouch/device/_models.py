@@ -201,6 +201,7 @@ class SimulatedHand:
         reaction: delay of the will, 0.1 to 0.2 in people, > 0 [s].
         correction: how fast the will corrects the tip's error, >= 0 [1/s]; 0: not at all.
         reach: farthest that it goes for this, >= 0 [m].
+        waypoints: the path as times and places [s, m].
 
     Raises:
         DeviceError: a number is out of range, or the path is none.

@@ -184,7 +184,7 @@ class DeviceState(NamedTuple):
         sample_velocity: out: the velocity of that place, (devices, 4) [m/s].
         sample_time: out: when, (devices,) [s].
         force: out: force at the tip that the motors hold, (devices, 4) [N].
-        ledger: out: (devices, len(DEVICE_BOOKS)).
+        ledger: out: (devices, len(DEVICE_LEDGER)).
         time: (devices,) [s].
         next_tick: (devices,) [s].
         ticks: how many there were, (devices,).

@@ -3,10 +3,10 @@
 Nothing here knows what is drawn: numbers, names and colours come in, lines and texts go out.
 """
 
-from cotouch.drawing._lines import decimate, end_labels, peak, plain, prefix
+from cotouch.drawing._lines import decimate, end_labels, escaped, peak, prefix
 from cotouch.drawing._network import MANY_USERS, network
 from cotouch.drawing._style import (
-    ALARM,
+    ALARM_COLOUR,
     DASHES,
     GRID,
     INK,
@@ -24,7 +24,7 @@ from cotouch.drawing._style import (
 )
 
 __all__ = [
-    "ALARM",
+    "ALARM_COLOUR",
     "DASHES",
     "GRID",
     "INK",
@@ -37,10 +37,10 @@ __all__ = [
     "decimate",
     "drawn",
     "end_labels",
+    "escaped",
     "figure_legend",
     "network",
     "peak",
-    "plain",
     "prefix",
     "sheet",
     "style",

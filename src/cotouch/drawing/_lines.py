@@ -21,7 +21,7 @@ _LARGEST = 1e100
 _PREFIXES = ((1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"), (1e-12, "p"))
 
 
-def plain(name: str) -> str:
+def escaped(name: str) -> str:
     """A name as a figure shows it: signs of the dollar in it begin no formula, which would have to be a right one."""
     return name.replace("$", r"\$")
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.typing import ColorType
 
-from cotouch.drawing._lines import plain
+from cotouch.drawing._lines import escaped
 from cotouch.drawing._style import INK, MUTED, SURFACE
 
 # Letters of a name that fit into its circle, and users up to which every label is drawn.
@@ -79,7 +79,7 @@ def network(
             linewidth=(0.8 + 4.2 * fraction) * (1.0 if labelled else 0.7) * min(1.0, (MANY_USERS / size) ** 1.3),
             zorder=1,
         )
-    for name, (x, y) in zip(map(plain, users), places, strict=True):
+    for name, (x, y) in zip(map(escaped, users), places, strict=True):
         if inside:
             axes.plot(x, y, "o", color=SURFACE, markeredgecolor=INK, markersize=mark, zorder=3)
             font = (8.0 if labelled else 7.0) * min(1.0, 22.0 / size)

@@ -8,7 +8,7 @@ from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Final, TypeAlias, cast
 
-from cotouch.drawing._lines import plain
+from cotouch.drawing._lines import escaped
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -23,7 +23,7 @@ MUTED: Final = "#68707a"
 GRID: Final = "#e4e7eb"
 SHADE: Final = "#f3f5f8"
 SURFACE: Final = "#ffffff"
-ALARM: Final = "#b3261e"
+ALARM_COLOUR: Final = "#b3261e"
 # Okabe and Ito's colours, which colour-blind readers tell apart, without yellow and black; a second round is dashed.
 USERS: Final = ("#0072b2", "#d55e00", "#009e73", "#c065a0", "#d99000", "#4aa5dd")
 DASHES: Final[tuple[Dash, ...]] = ("-", (0, (4.0, 1.6)), (0, (1.2, 1.4)))
@@ -158,4 +158,4 @@ def _marks(names: Sequence[str]) -> "tuple[list[Line2D], list[str]]":
 
     lines: list[dict[str, Any]] = [user_line(i) for i in range(len(names))]
     marks = [Line2D([], [], color=line["color"], linestyle=line["linestyle"], linewidth=1.8) for line in lines]
-    return [Line2D([], [], linestyle="none"), *marks], ["user", *map(plain, names)]
+    return [Line2D([], [], linestyle="none"), *marks], ["user", *map(escaped, names)]

@@ -59,6 +59,13 @@ def gamepads() -> list[str]:
 
 
 def kernel_ioctl(descriptor: int, request: int, data: bytearray) -> int:
+    """Asks the kernel; returns what it says.
+
+    Args:
+        descriptor: of the open device.
+        request: number of the request.
+        data: sent, and overwritten with the answer.
+    """
     from fcntl import ioctl
 
     return ioctl(descriptor, request, data, True)

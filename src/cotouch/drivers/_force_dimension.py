@@ -15,7 +15,7 @@ from cotouch.drivers._dhd_systems import SPECS, SYSTEMS, UNKNOWN, with_wrist
 from cotouch.drivers._rotation import quaternion_of
 from cotouch.drivers._watch import SampleWatch
 from cotouch.errors import DeviceError
-from cotouch.haptics import ARM, FORCE_DIMENSION, DeviceReading, Flag
+from cotouch.haptics import ARM, FORCE_DIMENSION_FRAME, DeviceReading, Flag
 
 # For a hand to put the handle into its rest.
 _RESET_MS = 20_000
@@ -101,7 +101,7 @@ class ForceDimension:
             dhd.enable_force(False)
             family, product, middle, gripper = SYSTEMS.get(dhd.system(), UNKNOWN)
             _check_family(self._index, family, product, self._family)
-            self._middle = FORCE_DIMENSION.place(middle)
+            self._middle = FORCE_DIMENSION_FRAME.place(middle)
             self._spec = replace(
                 SPECS[family], name=f"{'Novint' if family == 'falcon' else 'Force Dimension'} {product}"
             )
@@ -166,7 +166,10 @@ class ForceDimension:
         self._began = began
         try:
             place, guarded = dhd.position()
-            position, velocity = FORCE_DIMENSION.place(place) - self._middle, FORCE_DIMENSION.place(dhd.velocity())
+            position, velocity = (
+                FORCE_DIMENSION_FRAME.place(place) - self._middle,
+                FORCE_DIMENSION_FRAME.place(dhd.velocity()),
+            )
             orientation, spin = self._turned(dhd)
             at = time.monotonic()
             why = self._watch.fault(at, position, velocity)
@@ -228,7 +231,9 @@ class ForceDimension:
         """Orientation of the handle and its angular velocity [rad/s]; None without motors in the wrist."""
         if not dhd.wrist:
             return None, np.zeros(3)
-        return FORCE_DIMENSION.orientation(quaternion_of(dhd.orientation())), FORCE_DIMENSION.direction(dhd.spin())
+        return FORCE_DIMENSION_FRAME.orientation(quaternion_of(dhd.orientation())), FORCE_DIMENSION_FRAME.direction(
+            dhd.spin()
+        )
 
     def _set(self, dhd: Dhd, force: Float, torque: Float) -> tuple[bool, int]:
         """Sets force and torque; whether motors follow, and what the SDK said."""
@@ -236,13 +241,13 @@ class ForceDimension:
             on = self._on and self._off is None
             if not on:
                 force = torque = np.zeros(3)
-            x, y, z = FORCE_DIMENSION.back(force).tolist()
-            a, b, c = FORCE_DIMENSION.back(torque).tolist()
+            x, y, z = FORCE_DIMENSION_FRAME.back(force).tolist()
+            a, b, c = FORCE_DIMENSION_FRAME.back(torque).tolist()
             code = dhd.set_force((x, y, z), (a, b, c))
             if self._on and self._off == WATCHDOG:
                 self._switch_on(dhd)
         if code == SATURATED:
-            self._applied, self._twisted = (FORCE_DIMENSION.direction(one) for one in dhd.applied())
+            self._applied, self._twisted = (FORCE_DIMENSION_FRAME.direction(one) for one in dhd.applied())
         elif code != TIME_GUARD:
             self._applied, self._twisted = force.copy(), torque.copy()
         return on, code

@@ -18,7 +18,7 @@ from cotouch.drivers._inverse_session import asking, command, deviations, greeti
 from cotouch.drivers._watch import SampleWatch
 from cotouch.drivers._websocket import WebSocket
 from cotouch.errors import DeviceError, TransportError
-from cotouch.haptics import HAPLY, DeviceReading, Flag
+from cotouch.haptics import HAPLY_FRAME, DeviceReading, Flag
 
 EVENTS = "ws://localhost:10020"
 # Where Haply's own examples in wide use stop; ten newtons are only nominal [N].
@@ -80,7 +80,7 @@ class Inverse3:
             raise DeviceError(f"the time limit of an answer is {limit:g} s; it must be from {_LATE:g} to 0.08 s")
         self._wanted, self._url, self._events_url, self._limit = identity, url, events, limit
         self._wanted_grip = grip
-        self._middle = HAPLY.place(middle)
+        self._middle = HAPLY_FRAME.place(middle)
         self._spec = replace(PRESETS["inverse3"], force=_FORCE)
         self._socket: WebSocket | None = None
         self._events: WebSocket | None = None
@@ -296,7 +296,7 @@ class Inverse3:
         with self._lock:
             commanded = force.copy() if self._on else np.zeros(3)
             self._asked = time.monotonic()
-            link.send(self._message(HAPLY.back(commanded)))
+            link.send(self._message(HAPLY_FRAME.back(commanded)))
             self._owed += 1
             self._sent = [self._sent[1], commanded]
 
@@ -345,11 +345,11 @@ class Inverse3:
     def _read(self, at: float) -> DeviceReading:
         state = self._last
         assert state is not None
-        position, velocity = HAPLY.place(state.position) - self._middle, HAPLY.place(state.velocity)
+        position, velocity = HAPLY_FRAME.place(state.position) - self._middle, HAPLY_FRAME.place(state.velocity)
         why = self._watch.fault(at, position, velocity)
         if why is not None:
             raise self._fault(f"the Inverse3 {self._identity} {why}")
-        applied = HAPLY.direction(state.force)
+        applied = HAPLY_FRAME.direction(state.force)
         flags = Flag(0)
         flags |= Flag.CALIBRATED if self._calibrated else flags
         flags |= Flag.FORCE_ON if self._on else flags
@@ -362,7 +362,7 @@ class Inverse3:
             force=applied,
             buttons=state.buttons,
             flags=flags,
-            orientation=None if state.orientation is None else HAPLY.orientation(state.orientation),
+            orientation=None if state.orientation is None else HAPLY_FRAME.orientation(state.orientation),
         )
         return self._reading
 

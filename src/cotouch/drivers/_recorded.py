@@ -60,7 +60,7 @@ class RecordedHand:
             recording = read_recording(self._path)
         except RecordingError as error:
             raise DeviceError(str(error)) from None
-        places = recording.columns.get("tool_place", np.zeros((recording.steps, 0, 3)))
+        places = recording.columns.get("tool_position", np.zeros((recording.steps, 0, 3)))
         if not 1 <= self._tool <= places.shape[1]:
             raise DeviceError(f"tool is {self._tool}; {self._path} has {places.shape[1]} tools whose places it keeps")
         mine = np.asarray(places[:, self._tool - 1], dtype=np.float64)

@@ -31,7 +31,7 @@ from cotouch.drivers._hd import (
 from cotouch.drivers._rotation import quaternion_of
 from cotouch.drivers._watch import SampleWatch
 from cotouch.errors import DeviceError
-from cotouch.haptics import OPENHAPTICS, DeviceReading, Flag
+from cotouch.haptics import OPENHAPTICS_FRAME, DeviceReading, Flag
 
 # A force that nobody renewed for so long is taken away by the tick itself [s].
 _SILENCE = 0.02
@@ -135,7 +135,7 @@ class Touch:
                 )
                 self._spec = replace(self._spec, torque=torque, continuous_torque=min(torque, lasting))
             if np.isfinite(least).all():
-                self._middle = OPENHAPTICS.place(least.mean(axis=0))
+                self._middle = OPENHAPTICS_FRAME.place(least.mean(axis=0))
             hd.start(self._callback)
             self._asked(self._look)
         except BaseException:
@@ -249,9 +249,9 @@ class Touch:
             if job is not None:
                 job(hd)
             now = time.monotonic()
-            position = OPENHAPTICS.place(hd.vector(POSITION)) - self._middle
-            velocity = OPENHAPTICS.place(hd.vector(VELOCITY))
-            orientation = OPENHAPTICS.orientation(_quaternion(hd.transform()))
+            position = OPENHAPTICS_FRAME.place(hd.vector(POSITION)) - self._middle
+            velocity = OPENHAPTICS_FRAME.place(hd.vector(VELOCITY))
+            orientation = OPENHAPTICS_FRAME.orientation(_quaternion(hd.transform()))
             buttons = hd.integer(BUTTONS)
             on, force, torque = self._on, self._force, self._torque
             pushes = bool(force.any() or torque.any())
@@ -262,10 +262,10 @@ class Touch:
                 for one, most in ((force, self._spec.force), (torque, self._spec.torque if self._wrist else np.inf))
             )
             commanded, twisted = fraction * force, part * torque
-            x, y, z = OPENHAPTICS.back(commanded).tolist()
+            x, y, z = OPENHAPTICS_FRAME.back(commanded).tolist()
             hd.set_force(x, y, z)
             if self._wrist:
-                x, y, z = OPENHAPTICS.back(twisted).tolist()
+                x, y, z = OPENHAPTICS_FRAME.back(twisted).tolist()
                 hd.set_torque(x, y, z)
             if not on:
                 hd.enable(False)

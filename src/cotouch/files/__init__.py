@@ -4,16 +4,16 @@ from cotouch.files._netcdf import NETCDF, write_netcdf
 from cotouch.files._read import MOST_TEXT, look, read_bytes, read_text, read_toml, toml
 from cotouch.files._shipped import shipped
 from cotouch.files._toml import list_of, table_of, toml_text
-from cotouch.files._write import beside, folder, prepare, write
+from cotouch.files._write import beside, check_writable, folder, write
 
 __all__ = [
     "MOST_TEXT",
     "NETCDF",
     "beside",
+    "check_writable",
     "folder",
     "list_of",
     "look",
-    "prepare",
     "read_bytes",
     "read_text",
     "read_toml",

@@ -5,7 +5,7 @@
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from cotouch.files._write import prepare, write
+from cotouch.files._write import check_writable, write
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -28,7 +28,7 @@ def write_netcdf(run: "xr.Dataset", path: str | Path, what: str) -> None:
     Raises:
         OutputError: it cannot be written; what was there before still is.
     """
-    prepare(Path(path), NETCDF)
+    check_writable(Path(path), NETCDF)
     packed: dict[str, object] = {"zlib": True, "complevel": 1, "shuffle": True}
     encoding = {name: packed for name, values in run.data_vars.items() if values.dtype.kind == "f"}
     write(path, run.to_netcdf(None, engine="h5netcdf", encoding=encoding), what)

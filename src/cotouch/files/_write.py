@@ -53,7 +53,7 @@ def write(path: str | Path, data: bytes | bytearray | memoryview, what: str, *, 
         raise OutputError(f"the {what} cannot be written to {path}: {reason(error)}") from error
 
 
-def prepare(path: Path, suffixes: Sequence[str] = (), inputs: Iterable[Path] = ()) -> None:
+def check_writable(path: Path, suffixes: Sequence[str] = (), inputs: Iterable[Path] = ()) -> None:
     """Refuses a file that could not be written, before the work that would fill it.
 
     Args:
@@ -117,7 +117,7 @@ def beside(folder: Path, names: Iterable[str], inputs: Iterable[Path]) -> None:
     """
     read = list(inputs)
     for name in names:
-        prepare(folder / name, inputs=read)
+        check_writable(folder / name, inputs=read)
 
 
 def reason(error: Exception) -> str:

@@ -8,7 +8,7 @@ import numpy as np
 from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.hands._led import LedTool
-from cotouch.mechanics import TOUCH, Tools
+from cotouch.mechanics import TOUCHING, Tools
 from cotouch.scenario import ToolTable, resolve_penetration
 
 # Of the body's radius: the ball's, if nobody says how large it is, and the least and most that it may be.
@@ -61,7 +61,7 @@ class Ball(LedTool):
             user: whose it is, from 0.
             size: radius of the body [m].
         """
-        super().__init__(tools, index, TOUCH)
+        super().__init__(tools, index, TOUCHING)
         self._body, self._user, self._size = body, user, size
         self._wanted = self.radius = _USUAL * size
 

@@ -5,7 +5,14 @@ from cotouch.haptics._core import Order, ServoCore, ServoReport
 from cotouch.haptics._coupling import COUPLING, LEAST_SCALE, MOST_SCALE, CouplingChoice, Scale, coupling_of
 from cotouch.haptics._device import Device, DeviceReading, Flag, TorqueDevice
 from cotouch.haptics._ends import DeviceEnd, EndOptions, ProxyEnd, checked
-from cotouch.haptics._frames import FORCE_DIMENSION, FRAMES, HAPLY, OPENHAPTICS, OPENXR, Frame
+from cotouch.haptics._frames import (
+    FORCE_DIMENSION_FRAME,
+    FRAMES,
+    HAPLY_FRAME,
+    OPENHAPTICS_FRAME,
+    OPENXR_FRAME,
+    DeviceFrame,
+)
 from cotouch.haptics._limits import SafetyLimits
 from cotouch.haptics._link import ServoLink
 from cotouch.haptics._quaternions import UNTURNED, Quaternion, back, product, turn_of, vector_of
@@ -25,10 +32,10 @@ from cotouch.haptics._safety import (
     Observation,
     SafetyChain,
     Vector,
+    norm,
     reasons,
     saturate,
     silence,
-    size,
     slew,
     spoken,
 )
@@ -42,14 +49,14 @@ from cotouch.haptics._warning_log import priority_refused
 __all__ = [
     "ARM",
     "COUPLING",
-    "FORCE_DIMENSION",
+    "FORCE_DIMENSION_FRAME",
     "FRAMES",
     "GROUP",
-    "HAPLY",
+    "HAPLY_FRAME",
     "LEAST_SCALE",
     "MOST_SCALE",
-    "OPENHAPTICS",
-    "OPENXR",
+    "OPENHAPTICS_FRAME",
+    "OPENXR_FRAME",
     "SIMULATED",
     "UNTURNED",
     "Cause",
@@ -58,11 +65,11 @@ __all__ = [
     "Device",
     "DeviceChoice",
     "DeviceEnd",
+    "DeviceFrame",
     "DeviceReading",
     "Driver",
     "EndOptions",
     "Flag",
-    "Frame",
     "Heat",
     "Observation",
     "Option",
@@ -92,6 +99,7 @@ __all__ = [
     "device_names",
     "driver",
     "make_device",
+    "norm",
     "open_device",
     "priority_refused",
     "product",
@@ -99,7 +107,6 @@ __all__ = [
     "saturate",
     "silence",
     "simulated_model",
-    "size",
     "slew",
     "spoken",
     "turn_of",

@@ -9,9 +9,9 @@ from cotouch.device import DeviceSpec
 from cotouch.haptics._device import DeviceReading, Flag
 from cotouch.haptics._ends import DeviceEnd, EndOptions, checked
 from cotouch.haptics._limits import SafetyLimits
-from cotouch.haptics._measured import Measured
+from cotouch.haptics._measured import MeasuredMotion
 from cotouch.haptics._quaternions import Quaternion, quaternion
-from cotouch.haptics._safety import NO_CAUSE, ZERO, Cause, Observation, SafetyChain, Vector, scaled, size
+from cotouch.haptics._safety import NO_CAUSE, ZERO, Cause, Observation, SafetyChain, Vector, norm, scaled
 from cotouch.haptics._turning import TurningEnd, at_arm
 from cotouch.haptics._virtual import checked_virtual
 from cotouch.mechanics import EnergyMessage
@@ -166,7 +166,7 @@ class ServoCore:
         self._force = ZERO
         self._begun: float | None = None
         self._last = self._fresh = self._measured = 0.0
-        self._seen = Measured(limits.force)
+        self._seen = MeasuredMotion(limits.force)
         self._tick = 0
         self._pressed: float | None = None
         self._armed: int | None = None
@@ -229,24 +229,24 @@ class ServoCore:
         self._last = now
         self._tick += 1
         place = _vector(reading.position)
-        if not isfinite(size(place)):
+        if not isfinite(norm(place)):
             self.chain.fail(Cause.FAULT)
             place = self._seen.place or ZERO
         said = _vector(reading.force)
         self._seen.observe(place, T, self._force, self.end)
         since = max(T, reading.time - self._measured)  # a place that stood still has moved for longer
-        self.end.measure(place, self._force, said if isfinite(size(said)) else None, since)
+        self.end.measure(place, self._force, said if isfinite(norm(said)) else None, since)
         self._measured = max(reading.time, self._measured)
         taken = self.end.place or place
         quick, rate = self._seen.quick(reading.time, taken, place), self._seen.rate
         if first or not reading.flags & Flag.STALE:
             self._fresh = now
-        self._buttons(reading.buttons, size(rate), now)
+        self._buttons(reading.buttons, norm(rate), now)
         order = self._order
         self._came = now if self._came is None else self._came
         gone = silent_for(order.time, self._came, now)
         desired = order.place if gone < self._limits.zero_after else None
-        if desired is not None and not isfinite(size(desired)):
+        if desired is not None and not isfinite(norm(desired)):
             self.chain.fail(Cause.FAULT)
             desired = None
         wanted = self.end.decide(desired, rate, order.message, T)
@@ -261,7 +261,7 @@ class ServoCore:
             T=T,
             age=gone,
             stale=now - self._fresh,
-            speed=max(quick, _finite(size(_vector(reading.velocity)))),
+            speed=max(quick, _finite(norm(_vector(reading.velocity)))),
             excess=excess,
             enabled=order.enable,
             follows=bool(reading.flags & Flag.FORCE_ON),
@@ -276,7 +276,7 @@ class ServoCore:
             place=taken,
             rate=rate,
             force=self._force,
-            wanted=wanted if isfinite(size(wanted)) else ZERO,
+            wanted=wanted if isfinite(norm(wanted)) else ZERO,
             message=self.end.message,
             work=work,
             excess=excess,
@@ -303,10 +303,10 @@ class ServoCore:
             turning.wanted = ZERO
             return 0.0
         said = None if reading.torque is None else _vector(reading.torque)
-        said = said if said is not None and isfinite(size(said)) else None
+        said = said if said is not None and isfinite(norm(said)) else None
         quick = turning.measure(orientation, reading.time, said, T, since)
         turning.decide(goal, order.twist, T)
-        if not isfinite(size(turning.wanted)):
+        if not isfinite(norm(turning.wanted)):
             self.chain.fail(Cause.FAULT)
         return quick
 

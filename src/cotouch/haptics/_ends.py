@@ -11,7 +11,7 @@ from typing import NamedTuple, final
 from cotouch.device import DeviceSpec, installed_coupling
 from cotouch.errors import DeviceError
 from cotouch.haptics._port import MotorPort, Rest, Wall, less, plus
-from cotouch.haptics._safety import ZERO, Vector, dot, scaled, size
+from cotouch.haptics._safety import ZERO, Vector, dot, norm, scaled
 from cotouch.mechanics import END, EnergyMessage, HeldForce, book_end, end_row, hear, message_of
 
 # Over which a servo measures the tip's velocity [s]: an encoder of 0.05 mm then tells 5 mm/s apart.
@@ -110,8 +110,8 @@ class _End:
         row = self.row
         hear(row, message)
         gap = ZERO if desired is None else less(desired, place)
-        known = desired is not None and isfinite(size(gap)) and isfinite(size(rate))
-        row[END.T : END.acting] = (T, known, *(gap if known else ZERO), *(rate if isfinite(size(rate)) else ZERO))
+        known = desired is not None and isfinite(norm(gap)) and isfinite(norm(rate))
+        row[END.T : END.acting] = (T, known, *(gap if known else ZERO), *(rate if isfinite(norm(rate)) else ZERO))
         self._run(row)
         spring, brake, x, y, z, a, b, c = row[END.spring : END.held].tolist()
         return spring, brake, (x, y, z), (a, b, c)

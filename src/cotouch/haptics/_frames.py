@@ -12,7 +12,7 @@ from cotouch.errors import DeviceError
 
 @final
 @dataclass(frozen=True)
-class Frame:
+class DeviceFrame:
     """How a device's axes lie in our frame.
 
     Attributes:
@@ -64,21 +64,21 @@ class Frame:
         return np.array([*self.direction((x, y, z)), w])
 
 
-OURS = Frame((1, 2, 3))
+OURS = DeviceFrame((1, 2, 3))
 """x forward, y left, z up; m."""
-HAPLY = Frame((2, -1, 3))
+HAPLY_FRAME = DeviceFrame((2, -1, 3))
 """Inverse Service: x right, y forward, z up; m."""
-OPENHAPTICS = Frame((-3, -1, 2), 1e-3)
+OPENHAPTICS_FRAME = DeviceFrame((-3, -1, 2), 1e-3)
 """x right, y up, z towards the user; mm."""
-FORCE_DIMENSION = Frame((-1, -2, 3))
+FORCE_DIMENSION_FRAME = DeviceFrame((-1, -2, 3))
 """x towards the operator, y right, z up; m."""
-OPENXR = Frame((-3, -1, 2))
+OPENXR_FRAME = DeviceFrame((-3, -1, 2))
 """x right, y up, z backward; m."""
 FRAMES = {
     "ours": OURS,
-    "haply": HAPLY,
-    "openhaptics": OPENHAPTICS,
-    "force_dimension": FORCE_DIMENSION,
-    "openxr": OPENXR,
+    "haply": HAPLY_FRAME,
+    "openhaptics": OPENHAPTICS_FRAME,
+    "force_dimension": FORCE_DIMENSION_FRAME,
+    "openxr": OPENXR_FRAME,
 }
 """All frames by name."""

@@ -5,7 +5,7 @@ from typing import final
 
 from cotouch.haptics._ends import WINDOW, DeviceEnd
 from cotouch.haptics._port import less
-from cotouch.haptics._safety import ZERO, Vector, dot, scaled, size
+from cotouch.haptics._safety import ZERO, Vector, dot, norm, scaled
 
 # The safety chain's speed is that over this [s]: shorter, and one step of an encoder looks quick; longer, and a device
 # that is flung away has been so for long.
@@ -15,7 +15,7 @@ _SLACK = 1e-6
 
 
 @final
-class Measured:
+class MeasuredMotion:
     """Velocity, and the passivity observer's own ledger: nothing but forces that were told and measured places.
 
     Attributes:
@@ -56,7 +56,7 @@ class Measured:
         if self.place is not None:
             moved = less(place, self.place)
             self.work += dot(self._acted, moved)
-            far = size(moved)
+            far = norm(moved)
             if T > 0.0 and (far > self._farthest or self._longest < T):
                 self._farthest, self._longest = max(self._farthest, far), max(self._longest, T)
                 self.bound = max(self.bound, end.bound(far / T, T, self._most))
@@ -92,5 +92,5 @@ class Measured:
         self.rate = scaled(1.0 / (time - then), less(taken, start))
         for recent, _, there in reversed(path):
             if time - recent >= _QUICK:
-                return size(less(place, there)) / (time - recent)
+                return norm(less(place, there)) / (time - recent)
         return 0.0

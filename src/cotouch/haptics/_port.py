@@ -5,7 +5,7 @@ from typing import NamedTuple, final
 
 import numpy as np
 
-from cotouch.haptics._safety import ZERO, Vector, dot, scaled, size
+from cotouch.haptics._safety import ZERO, Vector, dot, norm, scaled
 from cotouch.mechanics import REST_DRIFT, REST_FIELDS, modulate, place_at_rest, rest_fraction
 
 
@@ -57,9 +57,9 @@ class MotorPort:
         did: Did | None = None
         if self.place is not None:
             moved = less(place, self.place)
-            turned = 0.5 * size(self._commanded) * dot(moved, moved) / self._lever
+            turned = 0.5 * norm(self._commanded) * dot(moved, moved) / self._lever
             work = max(dot(self._commanded, moved), dot(self._said, moved))
-            did = Did(work, 0.5 * self.resolution * self._changed + turned, size(moved))
+            did = Did(work, 0.5 * self.resolution * self._changed + turned, norm(moved))
         self._changed = sum(abs(a - b) for a, b in zip(commanded, self._commanded, strict=True))
         self.place, self._commanded = place, commanded
         self._said = commanded if said is None else said
@@ -126,7 +126,7 @@ class Wall:
             available: energy that it may hold [J].
         """
         self.energy = 0.0
-        out = size(place)
+        out = norm(place)
         if out <= self._radius or self.stiffness <= 0.0:
             return ZERO
         deep = out - self._radius

@@ -96,7 +96,7 @@ def reasons(cause: Cause) -> list[str]:
     return [text for one, text in _SENTENCES.items() if cause & one]
 
 
-def size(vector: Vector) -> float:
+def norm(vector: Vector) -> float:
     """Norm."""
     return sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2])
 
@@ -155,10 +155,10 @@ def slew(force: Vector, before: Vector, most: float) -> float:
         before: held until now [N].
         most: farthest [N].
     """
-    length = size(force)
+    length = norm(force)
     if length <= most:
         return 1.0
-    was = size(before)
+    was = norm(before)
     along = dot(force, before) / length  # of the force before, along the new one
     if along <= 0.0 or was == 0.0:
         return most / length
@@ -277,8 +277,8 @@ class SafetyChain:
             In [0, 1]; 0 if anything is no number.
         """
         limits, T = self.limits, seen.T
-        self._heat.hold(size(self._before), T)
-        length = size(wanted)
+        self._heat.hold(norm(self._before), T)
+        length = norm(wanted)
         if not (isfinite(length) and isfinite(seen.speed)):
             self.fail(Cause.FAULT)
         if seen.speed > limits.speed:

@@ -23,7 +23,7 @@ from cotouch.device import (
 from cotouch.errors import DeviceError
 from cotouch.haptics._device import DeviceReading, Flag
 from cotouch.haptics._registry import Driver
-from cotouch.haptics._safety import ZERO, saturate, scaled, size
+from cotouch.haptics._safety import ZERO, norm, saturate, scaled
 from cotouch.haptics._wrist import ROUND, Wrist
 
 VARIANTS = ("phantom", "cartesian", "touch")
@@ -177,8 +177,8 @@ class SimulatedOnClock:
                 "the simulated device exceeded the floating-point range; its hand or force was too strong"
             )
         wanted = np.asarray(force, dtype=np.float64)
-        size = float(np.linalg.norm(wanted))
-        if not math.isfinite(size):
+        norm = float(np.linalg.norm(wanted))
+        if not math.isfinite(norm):
             raise DeviceError(f"force is {wanted.tolist()} N; it must be finite")
         device.command(force=wanted if self._on else (0.0, 0.0, 0.0))
         held = device.advance(device.time)  # no time passes; the motors take what of the force their torques allow
@@ -214,7 +214,7 @@ class SimulatedOnClock:
             wrist.torque = ZERO
         wrist.advance(t)
         x, y, z = (0.0, 0.0, 0.0) if torque is None or not self._on else torque.tolist()
-        far = size((x, y, z))
+        far = norm((x, y, z))
         if not math.isfinite(far):
             raise DeviceError(f"torque is {[x, y, z]} Nm; it must be finite")
         wrist.torque = scaled(saturate(far, self.spec.torque), (x, y, z))

@@ -15,7 +15,7 @@ from typing import NamedTuple, final
 
 from cotouch.device import DeviceSpec
 from cotouch.haptics._ends import DeviceEnd, EndOptions, ProxyEnd
-from cotouch.haptics._measured import Measured
+from cotouch.haptics._measured import MeasuredMotion
 from cotouch.haptics._port import less, plus
 from cotouch.haptics._quaternions import Quaternion, back, product, turn_of, vector_of, way_back
 from cotouch.haptics._safety import ZERO, Vector, scaled
@@ -70,7 +70,7 @@ class TurningEnd:
             most: largest force that the safety chain lets through [N].
         """
         self.end = DeviceEnd(options, resolution=resolution, lever=ARM)
-        self.seen = Measured(most)
+        self.seen = MeasuredMotion(most)
         self.orientation: Quaternion | None = None
         self.wanted = self.force = ZERO
         self._measured: Quaternion | None = None

@@ -1,6 +1,5 @@
 """Questions asked of many runs: what a hand feels, what happens where an option varies, and which law is best."""
 
-from cotouch.laboratory._cells import Progress
 from cotouch.laboratory._compare import compare
 from cotouch.laboratory._compare_report import write_report
 from cotouch.laboratory._feel_figure import impedance_figure
@@ -8,21 +7,19 @@ from cotouch.laboratory._ideal import Ideal, ideal
 from cotouch.laboratory._impedance import Others, impedance
 from cotouch.laboratory._noticed import broken, mean_cost
 from cotouch.laboratory._quality import etvo, hpw_psnr, psnr
-from cotouch.laboratory._score import MEASURES, measured
+from cotouch.laboratory._score import MEASURES, measures_of
 from cotouch.laboratory._study import Study
-from cotouch.laboratory._sweep import FIGURES, sweep, values_of, varied
-from cotouch.laboratory._trials import Books, Found, books, searched, touching, trial
+from cotouch.laboratory._sweep import SWEPT, sweep, values_of, varied
+from cotouch.laboratory._trials import Found, MadeEnergy, made_energy, searched, touching, trial
 
 __all__ = [
-    "FIGURES",
     "MEASURES",
-    "Books",
+    "SWEPT",
     "Found",
     "Ideal",
+    "MadeEnergy",
     "Others",
-    "Progress",
     "Study",
-    "books",
     "broken",
     "compare",
     "etvo",
@@ -30,8 +27,9 @@ __all__ = [
     "ideal",
     "impedance",
     "impedance_figure",
+    "made_energy",
     "mean_cost",
-    "measured",
+    "measures_of",
     "psnr",
     "searched",
     "sweep",

@@ -26,7 +26,7 @@ class MapCell(ScoreCell):
     delay: list[float]
 
 
-class Tuned(TypedDict):
+class TunedSettings(TypedDict):
     """Settings by what they are called, None where there is none, their costs [J], and why there is nothing."""
 
     settings: dict[str, Setting | None]

@@ -10,12 +10,12 @@ import numpy as np
 
 from cotouch.errors import CotouchError, ScenarioError
 from cotouch.interrupt import check, interruptible
-from cotouch.laboratory._cell_tables import MapCell, Mapped, ScoreCell, Scored, TuneCell, Tuned
+from cotouch.laboratory._cell_tables import MapCell, Mapped, ScoreCell, Scored, TuneCell, TunedSettings
 from cotouch.laboratory._cells import Progress, Store, cells, contents_of, source_of
 from cotouch.laboratory._ideal import ideal
 from cotouch.laboratory._impedance import impedance
 from cotouch.laboratory._replicas import REPLICAS
-from cotouch.laboratory._score import MEASURES, dangerous, measured, sizes
+from cotouch.laboratory._score import MEASURES, dangerous, measures_of, sizes
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
 from cotouch.laboratory._tasks import Task
 from cotouch.laboratory._tune import tune
@@ -111,12 +111,12 @@ def compare(
     return data
 
 
-def _tuned(study: Study, held: Mapping[str, list[str]], named: _Named) -> dict[tuple[str, str], Tuned]:
+def _tuned(study: Study, held: Mapping[str, list[str]], named: _Named) -> dict[tuple[str, str], TunedSettings]:
     """What tuning found for each law, on each network that somebody is tuned on, whose files hold `held`."""
     places = list(dict.fromkeys(network.tuned_on or network.name for network in study.networks))
     pairs = [(law, study.network(place)) for law in study.laws for place in places]
     if not study.tunes:
-        nothing: Tuned = {"settings": {"published": {}}, "cost": {}, "tried": 0, "problem": ""}
+        nothing: TunedSettings = {"settings": {"published": {}}, "cost": {}, "tried": 0, "problem": ""}
         return {(law.label, network.name): nothing for law, network in pairs}
     items: list[TuneCell] = [
         {
@@ -130,7 +130,7 @@ def _tuned(study: Study, held: Mapping[str, list[str]], named: _Named) -> dict[t
     return {(law.label, network.name): result for (law, network), result in zip(pairs, results, strict=True)}
 
 
-def _mapped(study: Study, found: Mapping[tuple[str, str], Tuned], named: _Named) -> dict[str, list[Mapped]]:
+def _mapped(study: Study, found: Mapping[tuple[str, str], TunedSettings], named: _Named) -> dict[str, list[Mapped]]:
     """Danger and cost over delay and stiffness, a cell for each law and stiffness, with the first network's setting."""
     if study.map is None:
         return {}
@@ -221,7 +221,7 @@ def drawn(study: Study, draw: int, setting: Mapping[str, float]) -> Prepared:
 def _one(study: Study, prepared: Prepared, hand: HandKind, task: str, draw: int) -> dict[str, float]:
     check()
     hands = study.task(task, study.users[0], hand, draw)
-    return measured(study.laws[0], with_hands(prepared, hands), ideal(study, hands))
+    return measures_of(study.laws[0], with_hands(prepared, hands), ideal(study, hands))
 
 
 def _hands(study: Study) -> list[HandKind]:
@@ -298,7 +298,7 @@ def _gathered(
     study: Study,
     tunings: list[str],
     results: Mapping[tuple[str, str, str, int], Scored],
-    found: Mapping[tuple[str, str], Tuned],
+    found: Mapping[tuple[str, str], TunedSettings],
     maps: Mapping[str, list[Mapped]],
 ) -> "xr.Dataset":
     import xarray as xr

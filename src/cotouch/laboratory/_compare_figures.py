@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from cotouch.arrays import Bool
-from cotouch.drawing import ALARM, DASHES, INK, MUTED, USERS, plain, sheet
+from cotouch.drawing import ALARM_COLOUR, DASHES, INK, MUTED, USERS, escaped, sheet
 from cotouch.laboratory._noticed import chosen, is_dangerous
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ def maps(data: "xr.Dataset") -> "Figure":
         x, y = np.arange(delay.size + 1), np.arange(stiffness.size + 1)
         shades = panel.pcolormesh(x, y, cost, cmap="Blues", norm=LogNorm(_LOW, _HIGH), linewidth=0)
         _line(panel, risky)
-        panel.set_title(plain(law))
+        panel.set_title(escaped(law))
         panel.grid(visible=False)
         panel.set_xticks(x[:-1] + 0.5, labels=[f"{value:g}" for value in delay])
         panel.set_yticks(y[:-1] + 0.5, labels=[f"{value:g}" for value in stiffness])
@@ -71,8 +71,8 @@ def _line(panel: "Axes", risky: Bool) -> None:
         for c in range(columns):
             if not risky[r, c]:
                 continue
-            panel.plot([c + 0.25, c + 0.75], [r + 0.25, r + 0.75], color=ALARM, linewidth=0.9)
-            panel.plot([c + 0.25, c + 0.75], [r + 0.75, r + 0.25], color=ALARM, linewidth=0.9)
+            panel.plot([c + 0.25, c + 0.75], [r + 0.25, r + 0.75], color=ALARM_COLOUR, linewidth=0.9)
+            panel.plot([c + 0.25, c + 0.75], [r + 0.75, r + 0.25], color=ALARM_COLOUR, linewidth=0.9)
             for there, xs, ys in (
                 ((r, c - 1), [c, c], [r, r + 1]),
                 ((r, c + 1), [c + 1, c + 1], [r, r + 1]),
@@ -81,7 +81,7 @@ def _line(panel: "Axes", risky: Bool) -> None:
             ):
                 inside = 0 <= there[0] < rows and 0 <= there[1] < columns
                 if inside and not risky[there]:
-                    panel.plot(xs, ys, color=ALARM, linewidth=2.0, solid_capstyle="butt")
+                    panel.plot(xs, ys, color=ALARM_COLOUR, linewidth=2.0, solid_capstyle="butt")
 
 
 def fronts(data: "xr.Dataset", users: int, across: str) -> "Figure":
@@ -115,7 +115,7 @@ def fronts(data: "xr.Dataset", users: int, across: str) -> "Figure":
                 [error] if fine else [],
                 markersize=5,
                 markerfacecolor=filled,
-                label=plain(law),
+                label=escaped(law),
                 **look,
             )
             if len(lines) < len(laws):
@@ -125,7 +125,7 @@ def fronts(data: "xr.Dataset", users: int, across: str) -> "Figure":
             panel.step(
                 *zip(*front, strict=True), where="post", color=MUTED, linewidth=0.9, linestyle=DASHES[1], zorder=0
             )
-        panel.set_title(plain(network))
+        panel.set_title(escaped(network))
         panel.margins(x=0.12)
         panel.set_yscale("log")
         panel.set_ylabel("error of place / mm" if panel in panels[:, 0] else "")
@@ -139,7 +139,7 @@ def fronts(data: "xr.Dataset", users: int, across: str) -> "Figure":
     for panel in panels.ravel()[len(networks) :]:
         panel.set_visible(False)
     for panel in panels.ravel()[: len(networks)][-_ACROSS:]:
-        panel.set_xlabel("drag / (Ns/m)" if across == "drag" else "energy made beyond the seed / J")
+        panel.set_xlabel("drag / (Ns/m)" if across == "drag" else "energy made beyond the initial energy / J")
     figure.legend(lines, laws, loc="outside lower center", ncols=min(len(laws), 6), labelcolor=INK)
     return figure
 

@@ -294,7 +294,7 @@ def _fronts(data: "xr.Dataset", study: Study) -> list[Section]:
         body += figure(
             fronts(data, users, "made"),
             "front-made",
-            "<b>Error against energy made beyond the seed.</b> Passive laws stand at 0.",
+            "<b>Error against energy made beyond the initial energy.</b> Passive laws stand at 0.",
             "Error of place over energy made, one panel for each network.",
         )
     return [Section(anchor="fronts", title="What no law has all of", body=body)] if body else []
@@ -337,10 +337,10 @@ def _method(data: "xr.Dataset", study: Study) -> Section:
         "No law is tuned; parameters are the published defaults."
         if not study.tunes
         else (
-            f"Every law is tuned alike: the springs and each of its parameters but seeds, as multiples of its default "
-            f"from 1/{tuning.range:g} to {tuning.range:g}; {tuning.search} settings that fill the space evenly, then "
-            f"{tuning.local} near the best; {tuning.draws} draw{'s' * (tuning.draws > 1)} of each task with "
-            f"{tuning.users} users, other ones than those that count. A setting counts only if pushes die away, "
+            f"Every law is tuned alike: the springs and each of its parameters but initial energies, as multiples of "
+            f"its default from 1/{tuning.range:g} to {tuning.range:g}; {tuning.search} settings that fill the space "
+            f"evenly, then {tuning.local} near the best; {tuning.draws} draw{'s' * (tuning.draws > 1)} of each task "
+            f"with {tuning.users} users, other ones than those that count. A setting counts only if pushes die away, "
             f"also with hands {study.stiffer:g} times stiffer."
         )
     )

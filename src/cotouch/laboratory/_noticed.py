@@ -78,7 +78,7 @@ def is_dangerous(data: "xr.Dataset", law: str, network: str, users: int, *, hand
 
 
 def broken(data: "xr.Dataset") -> dict[str, float]:
-    """Laws that promise to make no energy beyond their seed and did, and the most that one made beyond it [J].
+    """Laws that promise to make no energy beyond their initial one and did, and the most that one made beyond it [J].
 
     Args:
         data: of `compare`.
@@ -92,7 +92,7 @@ def broken(data: "xr.Dataset") -> dict[str, float]:
 
 
 def able(data: "xr.Dataset") -> list[str]:
-    """Laws that promise to make no energy beyond their seed, and did not.
+    """Laws that promise to make no energy beyond their initial one, and did not.
 
     Args:
         data: of `compare`.

@@ -11,7 +11,7 @@ from cotouch.laboratory._replicas import REPLICAS, Moved, replicate
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
 from cotouch.laboratory._tasks import Task
 from cotouch.laws import law_named
-from cotouch.simulation import Outcome, Prepared, prepare, run_prepared, with_hands
+from cotouch.simulation import TICK_RESIDUAL, TICK_STORED, Outcome, Prepared, prepare, run_prepared, with_hands
 
 # Errors of place count in units of this [m].
 PLACE = 0.01
@@ -53,14 +53,14 @@ def moved(law: LawTable, prepared: Prepared) -> Moved:
         return replicate(REPLICAS[law.replica], prepared)
     outcome = run_prepared(prepared)
     steps, finite = int(outcome.taken.min()), outcome.events == prepared.schedule.order.size
-    seed = float(outcome.record.links[0].sum()) if prepared.law is None else prepared.law.seed
+    seed = float(outcome.record.links[0].sum()) if prepared.law is None else prepared.law.initial_energy
     made = float(outcome.record.made[0]) - seed
     return Moved(
         place=places(outcome),
         velocity=outcome.record.velocity[:, : steps + 1],
         force=forces(prepared, outcome),
         made=max(made, 0.0) if made > 1e-9 * _play(outcome) else 0.0,
-        extracted=max(0.0, -float(outcome.record.lowest[0] + outcome.record.ticks[0, 0])),
+        extracted=max(0.0, -float(outcome.record.lowest[0] + outcome.record.ticks[TICK_STORED, 0])),
         corrected=0.0,
         finite=bool(finite and np.isfinite(outcome.position).all()),
         said=None
@@ -69,7 +69,7 @@ def moved(law: LawTable, prepared: Prepared) -> Moved:
     )
 
 
-def measured(law: LawTable, prepared: Prepared, wanted: Ideal) -> dict[str, float]:
+def measures_of(law: LawTable, prepared: Prepared, wanted: Ideal) -> dict[str, float]:
     """The measures of a run; infinite where the motion left floating point.
 
     Args:
@@ -180,12 +180,12 @@ def dangerous(
 
 
 def promises(law: LawTable) -> bool:
-    """Whether a law of a study promises to make no energy beyond its seed."""
+    """Whether a law of a study promises to make no energy beyond its initial one."""
     return law.replica is None and law_named(law.kind).passive and law.damping is None
 
 
 def _play(outcome: Outcome) -> float:
-    return float(np.nanmax(np.abs(outcome.record.ticks[:4]), initial=0.0))
+    return float(np.nanmax(np.abs(outcome.record.ticks[:TICK_RESIDUAL]), initial=0.0))
 
 
 class Sizes(TypedDict):

@@ -124,6 +124,10 @@ class Study(Table):
     def make(cls, *, source: str = "the study", **tables: object) -> "Study":
         """Makes a study from tables; errors are one sentence each.
 
+        Args:
+            source: what a message calls it.
+            **tables: of the study, by name.
+
         Raises:
             ScenarioError: something in it is wrong.
         """
@@ -323,7 +327,10 @@ def tunable(law: LawTable) -> list[str]:
     if law.replica is not None and REPLICAS[law.replica].join is None:
         return []
     kind = law_named(law.kind)
-    return ["spring", *(p.name for p in kind.parameters if p.tuned and p.name not in {kind.seed, FORCE, *law.given})]
+    return [
+        "spring",
+        *(p.name for p in kind.parameters if p.tuned and p.name not in {kind.initial_energy, FORCE, *law.given}),
+    ]
 
 
 def spread(draws: Float) -> tuple[float, float]:

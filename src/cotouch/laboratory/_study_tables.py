@@ -122,7 +122,7 @@ class HandKind(Table):
 
 @final
 class Tuning(Table):
-    """How laws are tuned, all alike: springs and every parameter but seeds, as multiples of what they would be.
+    """How laws are tuned, all alike: springs and every parameter but initial energies, as multiples of the usual.
 
     Attributes:
         search: settings tried that fill the space evenly.
@@ -131,7 +131,7 @@ class Tuning(Table):
         users: in the runs.
         range: each multiple is between 1/range and range.
         only: whether the published settings are left out, which else are run beside the tuned ones.
-        safe: random runs in which a setting may make no energy beyond the law's seed, to be called safe; 0: not asked.
+        safe: random runs in which a setting that is called safe makes no more than the initial energy; 0: not asked.
     """
 
     search: Annotated[int, Field(ge=0, le=4096)] = 64

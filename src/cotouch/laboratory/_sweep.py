@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     import xarray as xr
 
 # Of each run: name, unit, meaning.
-FIGURES = {
+SWEPT = {
     "made": ("J", "most energy that the links had made"),
-    "law_seed": ("J", "what the law says that they may make"),
+    "law_initial_energy": ("J", "what the law says that they may make"),
     "extracted": ("J", "most that users got out beyond what there was"),
     "rms": ("m", "distance of a user's copy from the mean of all, root mean square"),
     "largest": ("m", "likewise, at most"),
@@ -145,7 +145,7 @@ def sweep(
         progress: told after each run.
 
     Returns:
-        A dimension for each option, and for each of `FIGURES` a variable; NaN, and the reason in `problem`, where a
+        A dimension for each option, and for each of `SWEPT` a variable; NaN, and the reason in `problem`, where a
         scenario cannot be. Where nothing of the synchronisation is varied, all have the law of `scenario`.
 
     Raises:
@@ -177,7 +177,7 @@ def sweep(
             np.reshape([figures.get(name, np.nan) for figures, _ in results], shape),
             {"units": unit, "long_name": meaning},
         )
-        for name, (unit, meaning) in FIGURES.items()
+        for name, (unit, meaning) in SWEPT.items()
     }
     data["problem"] = (dims, np.reshape(np.array([problem for _, problem in results], dtype=np.str_), shape))
     coordinates = {
@@ -211,7 +211,7 @@ def _run(scenario: Scenario, cell: _Cell) -> _Ran:
     force = np.asarray(run["force"].values, dtype=np.float64)
     figures = {
         "made": judged["made_j"],
-        "law_seed": judged["seed_j"],
+        "law_initial_energy": judged["initial_energy_j"],
         "extracted": judged["extracted_j"],
         "rms": apart["rms"],
         "largest": apart["max"],

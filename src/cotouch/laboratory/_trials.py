@@ -10,7 +10,7 @@ from cotouch.arrays import Float
 from cotouch.interrupt import check
 from cotouch.laboratory._tasks import Task
 from cotouch.scenario import Scenario
-from cotouch.simulation import Prepared, prepare, run_prepared
+from cotouch.simulation import TICK_RESIDUAL, Prepared, prepare, run_prepared
 
 # How long a trial is [s], and what of a run's energies is round-off.
 _LONG, _ROUND = 1.5, 1e-12
@@ -162,7 +162,7 @@ def touching(number: int, law: str | Mapping[str, object] = "paid") -> Scenario:
 
 @final
 @dataclass(frozen=True, kw_only=True)
-class Books:
+class MadeEnergy:
     """What a run's links made.
 
     Attributes:
@@ -184,7 +184,7 @@ class Books:
         return self.beyond <= _ROUND * self.play
 
 
-def books(prepared: Prepared) -> Books:
+def made_energy(prepared: Prepared) -> MadeEnergy:
     """Runs it.
 
     Args:
@@ -192,14 +192,14 @@ def books(prepared: Prepared) -> Books:
     """
     outcome = run_prepared(prepared)
     record = outcome.record
-    seed = float(record.links[0].sum()) if prepared.law is None else prepared.law.seed
-    play = float(np.nanmax(np.abs(record.ticks[:4]), initial=0.0))
+    seed = float(record.links[0].sum()) if prepared.law is None else prepared.law.initial_energy
+    play = float(np.nanmax(np.abs(record.ticks[:TICK_RESIDUAL]), initial=0.0))
     finite = outcome.events == prepared.schedule.order.size and np.isfinite(record.made).all()
-    return Books(
+    return MadeEnergy(
         beyond=float(record.made[0]) - seed if finite else float("inf"),
         last=float(record.made[1]) - seed,
         play=play,
-        residual=float(np.nanmax(np.abs(record.ticks[4]), initial=0.0)),
+        residual=float(np.nanmax(np.abs(record.ticks[TICK_RESIDUAL]), initial=0.0)),
     )
 
 
@@ -278,7 +278,7 @@ def searched(law: str | Mapping[str, object], evaluations: int, *, seed: int = 1
         check()
         even = number < _FIRST * evaluations or best == -np.inf
         there = rng.random(NUMBERS) if even else np.clip(here + step * rng.standard_normal(NUMBERS), 0.0, 1.0)
-        found = books(prepare(users_at(there, law, **options)))
+        found = made_energy(prepare(users_at(there, law, **options)))
         kept = kept and found.kept
         if found.beyond > most:
             most, worst = found.beyond, there

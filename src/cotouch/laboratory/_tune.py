@@ -7,12 +7,12 @@ import numpy as np
 from cotouch.arrays import Float
 from cotouch.errors import CotouchError
 from cotouch.interrupt import check
-from cotouch.laboratory._cell_tables import Setting, TuneCell, Tuned
+from cotouch.laboratory._cell_tables import Setting, TuneCell, TunedSettings
 from cotouch.laboratory._ideal import Ideal, ideal
-from cotouch.laboratory._score import dangerous, measured, promises
+from cotouch.laboratory._score import dangerous, measures_of, promises
 from cotouch.laboratory._study import HandKind, Study, tunable
 from cotouch.laboratory._tasks import Hands
-from cotouch.laboratory._trials import books, wild
+from cotouch.laboratory._trials import made_energy, wild
 from cotouch.network import Network
 from cotouch.simulation import prepare, with_hands
 
@@ -24,7 +24,7 @@ _CANDIDATES = 8
 _TRIED = 3.0
 
 
-def tune(cell: TuneCell) -> Tuned:
+def tune(cell: TuneCell) -> TunedSettings:
     """The best setting of one law on one network, as multiples of what its parameters would be.
 
     A setting counts only if pushes die away, with the hands and with stiffer ones. What costs more than the best so far
@@ -57,7 +57,7 @@ def tune(cell: TuneCell) -> Tuned:
                 return float("inf")
             for hands, perfect in tasks:
                 check()
-                total += measured(law, with_hands(prepared, hands), perfect)["cost"] / count
+                total += measures_of(law, with_hands(prepared, hands), perfect)["cost"] / count
                 if not total < most:
                     return float("inf")
         kinds = (hand, stiffer)
@@ -119,7 +119,7 @@ def harmless(study: Study, setting: Mapping[str, float], runs: int) -> bool:
             channel=anything.channel,
             hands=study.placed(anything.hands, users),
         )
-        if not books(prepare(changed)).kept:
+        if not made_energy(prepare(changed)).kept:
             return False
     return True
 

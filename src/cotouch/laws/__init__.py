@@ -1,9 +1,9 @@
 """Link laws: what one end of a link does in a step. One file for each; a new one needs a file and `register`."""
 
-# Without it, the first call of a `Part` in a process fails.
+# Without it, the first call of a `CompiledHalf` in a process fails.
 import numba.experimental.function_type  # noqa: F401  # pyright: ignore[reportUnusedImport, reportMissingTypeStubs]
 
-from cotouch.laws._end import END_WORDS, BoundEnd, End, Part, call, hand, handed
+from cotouch.laws._end import END_WORDS, BoundEnd, CompiledHalf, End, call, hand, handed
 from cotouch.laws._helper import brake, copy, feel, given_power, square
 from cotouch.laws._law import FORCE, Facts, Law, Linear, OriginForce, Parameter, Tone, law_named, laws, register
 from cotouch.laws._once import ONCE
@@ -27,13 +27,13 @@ __all__ = [
     "TDPA",
     "WAVE",
     "BoundEnd",
+    "CompiledHalf",
     "End",
     "Facts",
     "Law",
     "Linear",
     "OriginForce",
     "Parameter",
-    "Part",
     "Tone",
     "brake",
     "call",

@@ -221,7 +221,7 @@ def handed(typingctx: Any, words: Any) -> Any:  # noqa: ARG001
 
 
 @final
-class Part(types.WrapperAddressProtocol):
+class CompiledHalf(types.WrapperAddressProtocol):
     """A compiled half of a law. Engines call it by its address, so one engine, compiled once, serves all laws."""
 
     def __init__(self, function: Callable[[End], None]) -> None:
@@ -301,7 +301,7 @@ class BoundEnd:
                 words[place] = value.ctypes.data
                 words[place + 1 : place + 1 + axes] = value.size if axes == 1 else value.shape
 
-    def run(self, part: Part) -> None:
+    def run(self, part: CompiledHalf) -> None:
         """Calls a half of a law.
 
         Args:
@@ -310,7 +310,7 @@ class BoundEnd:
         part.machine_code(self._address)
 
 
-def call(part: Part, end: End) -> None:
+def call(part: CompiledHalf, end: End) -> None:
     """Calls a half of a law once from Python.
 
     Args:

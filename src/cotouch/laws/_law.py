@@ -8,7 +8,7 @@ from typing import TypeAlias, final
 
 from cotouch.errors import NetworkError
 from cotouch.installed import installed, installed_names
-from cotouch.laws._end import End, Part
+from cotouch.laws._end import CompiledHalf, End
 from cotouch.laws._trial import ends
 from cotouch.mechanics import beyond, reason, written_here
 
@@ -160,8 +160,8 @@ class Law:
         fractions: names of the fields that the ends of a copy share.
         shares_scalars: names of the numbers that the ends of a copy share.
         feels: whether it reads `End.hand` and `End.touch`.
-        passive: whether it promises that all ends together make no more energy than their seeds.
-        seed: name of the parameter that says what an end may make; None: nothing.
+        passive: whether it promises that all ends together make no more energy than they begin with.
+        initial_energy: name of the parameter that says what an end may make; None: nothing.
         springs: whether its links hold `½‖x_i - x_j‖²_K` at the start, which they may give back.
         rule: multiple of the rule's local damping B_i that a copy gets with it, if the scenario says nothing else.
         drag: local damping on top of it [Ns/m].
@@ -194,7 +194,7 @@ class Law:
     shares_scalars: tuple[str, ...] = ()
     feels: bool = False
     passive: bool = True
-    seed: str | None = None
+    initial_energy: str | None = None
     springs: bool = False
     rule: float = 0.0
     drag: float = 0.0
@@ -208,10 +208,10 @@ class Law:
     counts: tuple[str, ...] = ()
     origin_force: OriginForce | None = None
     store: tuple[str, str] | None = None
-    _parts: list[Part] = field(default_factory=list[Part], repr=False, compare=False)
+    _parts: list[CompiledHalf] = field(default_factory=list[CompiledHalf], repr=False, compare=False)
 
     @property
-    def parts(self) -> tuple[Part, Part]:
+    def parts(self) -> tuple[CompiledHalf, CompiledHalf]:
         """Its two functions as machine code, made on first use.
 
         Raises:
@@ -244,9 +244,9 @@ class Law:
         said = (*held, [known.name for known in self.parameters])
         return f"{self.name} {sha256(repr(said).encode()).hexdigest()[:16]}"
 
-    def _part(self, half: Half) -> Part:
+    def _part(self, half: Half) -> CompiledHalf:
         try:
-            return Part(half)
+            return CompiledHalf(half)
         except Exception as error:  # what somebody wrote may be wrong in any way
             raise NetworkError(f'law "{self.name}" cannot be compiled: {reason(error, half)}') from error
 
@@ -301,10 +301,10 @@ class Law:
             result.append(float(value))
         return result
 
-    def seed_of(self, values: list[float]) -> float:
+    def initial_energy_of(self, values: list[float]) -> float:
         """What an end with these parameters may make [J]."""
         names = [parameter.name for parameter in self.parameters]
-        return 0.0 if self.seed is None else values[names.index(self.seed)]
+        return 0.0 if self.initial_energy is None else values[names.index(self.initial_energy)]
 
 
 def _factor(text: str) -> float | None:
@@ -323,10 +323,13 @@ def register(law: Law) -> Law:
     """Makes a law known by its name, instead of one of the same name.
 
     Raises:
-        NetworkError: its seed is none of its parameters, or something else that it declares none of what it sends.
+        NetworkError: its initial energy is none of its parameters, or something else that it declares none of what it
+            sends.
     """
-    if law.seed is not None and law.seed not in {parameter.name for parameter in law.parameters}:
-        raise NetworkError(f'law "{law.name}" declares the seed "{law.seed}", which is not one of its parameters')
+    if law.initial_energy is not None and law.initial_energy not in {parameter.name for parameter in law.parameters}:
+        raise NetworkError(
+            f'law "{law.name}" declares the initial energy "{law.initial_energy}", which is not one of its parameters'
+        )
     for name in {*law.energies, *law.counts, *(() if law.length is None else (law.length,))} - set(law.sends_scalars):
         raise NetworkError(f'law "{law.name}" declares "{name}", which is not one of the numbers that it sends')
     for name in set(law.sums) - set(law.sends):

@@ -10,7 +10,7 @@ What was guessed of a hand is compared with what it did, once that is heard: whi
 what hands do beyond it only as far as guesses came true.
 
 The wish is paid from an account H. For every v̂, `T v̂ᵀ(wish + b*v - b*v̂) ≤ T‖wish + b*v‖²/(4b*) = H` by choice of b*:
-whatever body, hand or contact do, H stays above zero, and all copies together make no more than their seeds. A weak
+whatever body, hand or contact do, H stays above zero, and all copies together make no more than they begin with. A weak
 wave line, passive by itself, lies beside it, or copies whose accounts are dry could stay apart for ever.
 """
 
@@ -299,7 +299,7 @@ PAID = register(
         after=_after,
         source="docs/laws.md",
         parameters=(
-            Parameter(name="seed", meaning="what an end brings to its copy's account [J]", default=_share),
+            Parameter(name="initial_energy", meaning="what an end brings to its copy's account [J]", default=_share),
             Parameter(name="floor", meaning="least age that copies are drawn together over [s]", default=0.005),
             Parameter(name="brake", meaning="damper that fills an empty account [Ns/m]", default=10.0),
             Parameter(name="pull", meaning="g_k, how strongly copies are drawn together", default=0.04),
@@ -391,7 +391,7 @@ PAID = register(
         origin_force=OriginForce(force="w", integral="P", double="Q", stiffness="k", damping="b", plain="as one"),
         store=("account", "level"),
         feels=True,
-        seed="seed",
+        initial_energy="initial_energy",
         dragless=True,
     )
 )

@@ -56,14 +56,14 @@ PSPM = register(
         after=_after,
         source="Lee & Huang 2010, passive set-position modulation",
         parameters=(
-            Parameter(name="seed", meaning="what the tank begins with, and keeps at most [J]", default=0.05),
+            Parameter(name="initial_energy", meaning="what the tank begins with, and keeps at most [J]", default=0.05),
             Parameter(name="damping", meaning="damper that fills the tank [Ns/m]", default=_damping),
             Parameter(name=FORCE, meaning="most that a neighbour may pull with [N]", default=inf),
         ),
         sends_scalars=("given",),
         keeps=("set",),
         keeps_scalars=("tank", "given", "credited"),
-        seed="seed",
+        initial_energy="initial_energy",
         energies=("given",),
     )
 )

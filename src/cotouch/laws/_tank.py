@@ -52,7 +52,9 @@ TANK = register(
         after=_after,
         source="Franken et al. 2011",
         parameters=(
-            Parameter(name="seed", meaning="what the tank begins with, and its level [J]", default=0.05, least=1e-9),
+            Parameter(
+                name="initial_energy", meaning="what the tank begins with, and its level [J]", default=0.05, least=1e-9
+            ),
             Parameter(name="damping", meaning="D of the wished force [Ns/m]", default=_damping),
             Parameter(name="recharge", meaning="damper that fills an empty tank [Ns/m]", default=10.0),
             Parameter(name="most", meaning="greatest damper [Ns/m]", default=100.0),
@@ -61,7 +63,7 @@ TANK = register(
         sends=("v",),
         sends_scalars=("given",),
         keeps_scalars=("tank", "given", "credited"),
-        seed="seed",
+        initial_energy="initial_energy",
         energies=("given",),
     )
 )

@@ -66,7 +66,9 @@ TDPA = register(
         after=_after,
         source="Hannaford & Ryu 2002; Ryu, Artigas & Preusche 2010",
         parameters=(
-            Parameter(name="seed", meaning="energy that an end may give before it has got any [J]", default=0.05),
+            Parameter(
+                name="initial_energy", meaning="energy that an end may give before it has got any [J]", default=0.05
+            ),
             Parameter(name="damping", meaning="β₀, always at the end that gets the force [Ns/m]", default=1.0),
             Parameter(name="most", meaning="greatest damper there [Ns/m]", default=100.0),
             Parameter(name=FORCE, meaning="most that a neighbour may push or pull with [N]", default=inf),
@@ -75,7 +77,7 @@ TDPA = register(
         sends_scalars=("E_in",),
         keeps=("set",),
         keeps_scalars=("E_in", "E_out"),
-        seed="seed",
+        initial_energy="initial_energy",
         energies=("E_in",),
     )
 )

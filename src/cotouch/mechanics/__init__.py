@@ -7,9 +7,8 @@ from cotouch.mechanics._balance_groups import closing_of
 from cotouch.mechanics._bounds import beyond, written_here
 from cotouch.mechanics._closed import CLOSURE_ALARM, closed_settle, closed_step, slowed
 from cotouch.mechanics._contact_conform import conform_contact_law, contact_law_named
-from cotouch.mechanics._contact_foundation import Foundation
 from cotouch.mechanics._contact_jammed import jammed_about
-from cotouch.mechanics._contact_law import CONTACT_LAWS, press
+from cotouch.mechanics._contact_law import CONTACT_LAWS
 from cotouch.mechanics._contact_parts import contact_parts
 from cotouch.mechanics._contact_relief import Relief, relief_on
 from cotouch.mechanics._contact_step import contact_step
@@ -30,16 +29,13 @@ from cotouch.mechanics._coupling_end import (
     EnergyMessage,
     available_energy,
     book_end,
-    discard,
     end_row,
     hear,
     hear_end,
     hold_gap,
     message_of,
-    pool,
     share,
     squared,
-    unheard,
 )
 from cotouch.mechanics._coupling_law import (
     DeviceCoupling,
@@ -49,12 +45,12 @@ from cotouch.mechanics._coupling_law import (
     register_coupling,
     run_end,
 )
-from cotouch.mechanics._coupling_pspm import PSPM
-from cotouch.mechanics._coupling_virtual import VIRTUAL
+from cotouch.mechanics._coupling_pspm import PSPM_COUPLING
+from cotouch.mechanics._coupling_virtual import VIRTUAL_COUPLING
 from cotouch.mechanics._cutting import Cutting, begin_cut, decide_cuts, expose, hear_cuts, mark_cuts, sever, show_skin
 from cotouch.mechanics._cutting_of import cutting_of
-from cotouch.mechanics._force import LAWS, LEANS, BodyForce, evaluate, lean, resist
-from cotouch.mechanics._kernel import block, inner, kernel, outlined, part
+from cotouch.mechanics._force import LAWS, BodyForce
+from cotouch.mechanics._kernel import block, inner, kernel, part
 from cotouch.mechanics._meeting import Between
 from cotouch.mechanics._meeting_force import deepest_between
 from cotouch.mechanics._model import Basis, Model, model
@@ -93,20 +89,19 @@ from cotouch.mechanics._state import (
 from cotouch.mechanics._step import settle, step
 from cotouch.mechanics._stretch import approach, mixed_stretch, stretches
 from cotouch.mechanics._surface import Surface, surface_of
-from cotouch.mechanics._toll import checked_toll, encoder_toll, most_toll, opening_energy
+from cotouch.mechanics._toll import checked_toll, encoder_toll, opening_energy
 from cotouch.mechanics._tool_bodies import push_of, tell_push, unsettled
 from cotouch.mechanics._tools import (
     AWAY,
     BLADE,
     DRIVE,
     GRASP,
-    MOST_HELD,
     PROXY,
-    TOUCH,
     TOUCH_LEDGER,
     TOUCH_LOSS,
     TOUCH_STORED,
     TOUCHED,
+    TOUCHING,
     Tools,
     own_tools,
     tools,
@@ -134,23 +129,21 @@ __all__ = [
     "ITERATIONS",
     "KINETIC",
     "LAWS",
-    "LEANS",
     "LEDGER_COLUMNS",
     "LOCAL_LOSS",
-    "MOST_HELD",
     "PROXY",
-    "PSPM",
+    "PSPM_COUPLING",
     "REST_DRIFT",
     "REST_FIELDS",
     "SHAPES",
     "SHORTENED",
     "SUPPLIED",
-    "TOUCH",
     "TOUCHED",
+    "TOUCHING",
     "TOUCH_LEDGER",
     "TOUCH_LOSS",
     "TOUCH_STORED",
-    "VIRTUAL",
+    "VIRTUAL_COUPLING",
     "WEIGHTS",
     "WORLD_FORCE",
     "WORLD_LOSS",
@@ -164,7 +157,6 @@ __all__ = [
     "DeviceCoupling",
     "EndFields",
     "EnergyMessage",
-    "Foundation",
     "HeldForce",
     "Links",
     "Model",
@@ -208,10 +200,8 @@ __all__ = [
     "deepest_between",
     "deepest_point",
     "device_couplings",
-    "discard",
     "encoder_toll",
     "end_row",
-    "evaluate",
     "expose",
     "follow_world",
     "hear",
@@ -223,7 +213,6 @@ __all__ = [
     "inner_energy",
     "jammed_about",
     "kernel",
-    "lean",
     "load",
     "mark_cuts",
     "matrix3",
@@ -233,18 +222,14 @@ __all__ = [
     "model",
     "modulate",
     "modulation_bound",
-    "most_toll",
     "move_apart",
     "multiply",
     "opening_energy",
-    "outlined",
     "own_ports",
     "own_tools",
     "part",
     "path_place",
     "place_at_rest",
-    "pool",
-    "press",
     "press_skin",
     "push_of",
     "put",
@@ -253,7 +238,6 @@ __all__ = [
     "register_solid",
     "relief_on",
     "rescaled",
-    "resist",
     "rest_fraction",
     "run_end",
     "settle",
@@ -273,7 +257,6 @@ __all__ = [
     "tell_push",
     "tools",
     "total",
-    "unheard",
     "unseen_place",
     "unsettled",
     "upper",

@@ -3,8 +3,9 @@
 # pyright: reportArgumentType=false, reportReturnType=false
 
 from cotouch.arrays import Float
+from cotouch.mechanics._fit import Fit
 from cotouch.mechanics._kernel import part
-from cotouch.mechanics._surface import Fit, Surface
+from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._vector import at, put
 
 

@@ -11,7 +11,7 @@ from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._kernel import block, inner
 from cotouch.mechanics._meeting import Meeting
 from cotouch.mechanics._proxy import book_drive, move_proxy, pay, proxy_drive, proxy_inertia
-from cotouch.mechanics._tools import BLADE, GRASP, TOUCH, Tools
+from cotouch.mechanics._tools import BLADE, GRASP, TOUCHING, Tools
 from cotouch.mechanics._world import World
 
 
@@ -37,7 +37,7 @@ def are_apart(force: BodyForce | None, tools: Tools) -> bool:
         return False
     apart = _know(force.world)
     for t in range(tools.mode.shape[0]):
-        acts = tools.mode[t] in (TOUCH, GRASP) or tools.held[t] >= 0
+        acts = tools.mode[t] in (TOUCHING, GRASP) or tools.held[t] >= 0
         apart = apart and not acts and tools.stored[t] == 0.0 and tools.owed[t] == 0.0
     return apart
 
@@ -50,7 +50,7 @@ def move_apart(contact: Contact | None, tools: Tools, T: float, touch_ledger: Fl
         contact: by which they touch in other steps; None: in none.
         tools: of one user; changed in place.
         T: length of the step, > 0 [s].
-        touch_ledger: result (TOUCH_BOOKS,): see `cotouch.mechanics.TOUCH_LEDGER`.
+        touch_ledger: result (TOUCH_LEDGER,): see `cotouch.mechanics.TOUCH_LEDGER`.
         lanes: fixes the width of a row.
     """
     if contact is not None:

@@ -48,7 +48,13 @@ RIGID = 1e-9
 
 @part
 def keep_place(state: State, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Keeps where the copy is, and how fast, before it moves."""
+    """Keeps where the copy is, and how fast, before it moves.
+
+    Args:
+        state: of the copy.
+        work: `ahead` and `pull` keep them.
+        lanes: fixes the width of a row.
+    """
     for i in range(state.position.shape[0]):
         store(work.ahead, i, load(state.position, i, lanes), lanes)
         store(work.pull, i, load(state.velocity, i, lanes), lanes)
@@ -56,7 +62,14 @@ def keep_place(state: State, work: Workspace, lanes: tuple[int, ...]) -> None:
 
 @part
 def go_back(force: BodyForce, state: State, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Takes the copy back to where it was kept, after it was weighed."""
+    """Takes the copy back to where it was kept, after it was weighed.
+
+    Args:
+        force: what resists inside the body.
+        state: whose memory, position and velocity are changed.
+        work: `ahead` and `pull` kept them.
+        lanes: fixes the width of a row.
+    """
     call_undo(force.law, state.memory, force.behind)
     for i in range(state.position.shape[0]):
         store(state.position, i, load(work.ahead, i, lanes), lanes)
@@ -65,7 +78,14 @@ def go_back(force: BodyForce, state: State, work: Workspace, lanes: tuple[int, .
 
 @part
 def stay(force: BodyForce, state: State, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Takes the copy back, to be weighed anew where it does not move."""
+    """Takes the copy back, to be weighed anew where it does not move.
+
+    Args:
+        force: what resists inside the body.
+        state: whose memory, position and velocity are changed.
+        work: as of `go_back`; `mean` becomes 0.
+        lanes: fixes the width of a row.
+    """
     go_back(force, state, work, lanes)
     for i in range(work.mean.shape[0]):
         store(work.mean, i, splat(0.0, lanes), lanes)
@@ -73,7 +93,13 @@ def stay(force: BodyForce, state: State, work: Workspace, lanes: tuple[int, ...]
 
 @part
 def with_links(work: float, links: Links, link_work: Float) -> float:
-    """Some work, and that of all links of a copy in the step [J]."""
+    """Some work, and that of all links of a copy in the step [J].
+
+    Args:
+        work: of what else there is [J].
+        links: the neighbours' samples.
+        link_work: work of each link, (links,) [J].
+    """
     for link in range(links.slot.shape[0]):
         work += at(link_work, link)
     return work
@@ -179,7 +205,13 @@ def weigh(
 
 @inner
 def is_rounded(weighed: Float, over: float, share: float) -> bool:
-    """Whether what the step that was weighed leaves over [J], of a copy of some share, may be rounding."""
+    """Whether what the step that was weighed leaves over [J], of a copy of some share, may be rounding.
+
+    Args:
+        weighed: what the step was weighed with; see `weigh`.
+        over: what it leaves over [J].
+        share: of the copy, its 1/N.
+    """
     return abs(over) <= share * max(weighed[NOISE], weighed[ROUGH])
 
 
@@ -216,6 +248,10 @@ def square_of(weighed: Float, rest: bool) -> tuple[float, bool]:
     It acts about rest where nothing moves about the centre; if it may, where it would not do about the centre and
     something outside holds the body, or hardly anything is lacking; and where what meets an obstacle slides as a whole,
     hardly moving about its centre: that takes momentum anyway.
+
+    Args:
+        weighed: what the step was weighed with; see `weigh`.
+        rest: whether it may act about rest.
     """
     target, kinetic, about = weighed[TARGET], weighed[HAVE], weighed[ABOUT]
     square, still = -1.0, about <= RIGID * kinetic

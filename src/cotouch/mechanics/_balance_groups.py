@@ -192,7 +192,12 @@ def start_attempts(parts: Parts | None) -> None:
 
 @part
 def is_tied(parts: Parts, group: int) -> bool:
-    """Whether a tool, or something outside, holds any of a group."""
+    """Whether a tool, or something outside, holds any of a group.
+
+    Args:
+        parts: the bodies.
+        group: the first of its bodies.
+    """
     for b in range(parts.held.shape[0]):
         if at(parts.met.group, b) == group and (at(parts.sums, (b, TIED)) != 0.0 or at(parts.held, b) != 0):
             return True
@@ -243,7 +248,16 @@ def held_together(parts: Parts | None) -> tuple[bool, float, float, bool]:
 
 @part
 def scale_parts(op: Operator, parts: Parts | None, state: State, worst: float, work: Workspace, ledger: Float) -> None:
-    """Scales the velocities of bodies as it was decided."""
+    """Scales the velocities of bodies as it was decided.
+
+    Args:
+        op: the body's matrices.
+        parts: the bodies; None: there is one.
+        state: whose velocity and memory are changed.
+        worst: the factor that is farthest from 1.
+        work: `weighed` says what there is.
+        ledger: KINETIC, CLOSURE, BETA and SHORTENED are written.
+    """
     if parts is None:
         return
     weighed, closed, kinetic = work.weighed, 0.0, work.weighed[HAVE]

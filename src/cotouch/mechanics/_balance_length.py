@@ -92,6 +92,10 @@ def join_met(world: World | None, parts: Parts | None) -> None:
     """Who would pass another is of one group with it; and who was so in one attempt at a step is so in all that follow.
 
     Only together can they go less far, though at some lengths of the step they do not touch.
+
+    Args:
+        world: obstacles and points; None: none.
+        parts: the bodies; None: there is one.
     """
     if world is None or parts is None:
         return
@@ -106,7 +110,12 @@ def join_met(world: World | None, parts: Parts | None) -> None:
 
 @part
 def meet_again(world: World | None, parts: Parts | None) -> None:
-    """Who touches or passes another by the motion that was weighed last is of one group with it, and nobody else."""
+    """Who touches or passes another by the motion that was weighed last is of one group with it, and nobody else.
+
+    Args:
+        world: obstacles and points; None: none.
+        parts: the bodies; None: there is one.
+    """
     if parts is None:
         return
     for b in range(parts.held.shape[0]):
@@ -128,6 +137,10 @@ def join_held(parts: Parts | None, noise: float) -> None:
     """Where a group that a tool touches would have less than no energy, all that tools touch are one group.
 
     How much of what tools gave was for whom is known only as far as they did work on it.
+
+    Args:
+        parts: the bodies; None: there is one.
+        noise: energies of less than this are rounding [J].
     """
     if parts is None:
         return
@@ -183,14 +196,28 @@ def _note(parts: Parts | None, i: int, work: Workspace) -> None:
 
 @part
 def ask_length(work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Keeps the way that a direction asks for, of which attempts at a step go a part."""
+    """Keeps the way that a direction asks for, of which attempts at a step go a part.
+
+    Args:
+        work: `asked` keeps `mean`.
+        lanes: fixes the width of a row.
+    """
     for i in range(work.mean.shape[0]):
         store(work.asked, i, load(work.mean, i, lanes), lanes)
 
 
 @part
 def ask_fall(op: Operator, force: BodyForce, state: State, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Asks for the way that weight alone gives: what a direction asks for that went astray says nothing of a centre."""
+    """Asks for the way that weight alone gives: what a direction asks for that went astray says nothing of a centre.
+
+    Args:
+        op: the body's matrices.
+        force: what resists inside the body.
+        state: of the copy.
+        T: length of the step [s].
+        work: `asked` is written.
+        lanes: fixes the width of a row.
+    """
     for i in range(work.mean.shape[0]):
         gained = (0.5 * T * op.firmness) * load(force.gravity, i, lanes)
         store(work.asked, i, load(state.velocity, i, lanes) + gained, lanes)
@@ -222,7 +249,14 @@ def _find_centres(op: Operator, parts: Parts, asked: Float) -> None:
 
 @part
 def stretch(parts: Parts | None, mean: Float, factor: float, lanes: tuple[int, ...]) -> None:
-    """Scales how far a body goes; of several those that tools touch."""
+    """Scales how far a body goes; of several those that tools touch.
+
+    Args:
+        parts: the bodies; None: there is one.
+        mean: velocity of the rows, (rows, width); changed in place [m/s].
+        factor: by which it is scaled, >= 0.
+        lanes: fixes the width of a row.
+    """
     for i in range(mean.shape[0]):
         goes = factor
         if parts is not None:
@@ -276,7 +310,13 @@ def set_length(
 
 @part
 def stop_all(parts: Parts | None, mean: Float, lanes: tuple[int, ...]) -> None:
-    """Nothing goes anywhere."""
+    """Nothing goes anywhere.
+
+    Args:
+        parts: the bodies; None: there is one.
+        mean: velocity of the rows, (rows, width), which becomes 0.
+        lanes: fixes the width of a row.
+    """
     for i in range(mean.shape[0]):
         store(mean, i, splat(0.0, lanes), lanes)
     if parts is not None:
@@ -303,7 +343,12 @@ def _set_alone(op: Operator, work: Workspace, length: float, rest: bool, lanes: 
 
 @part
 def shortest(parts: Parts | None, length: float) -> float:
-    """How far a body went of the way that was asked for; of several, the one that went least."""
+    """How far a body went of the way that was asked for; of several, the one that went least.
+
+    Args:
+        parts: the bodies; None: there is one.
+        length: of a single body, 0 to 1.
+    """
     if parts is not None:
         length = 1.0
         for b in range(parts.held.shape[0]):

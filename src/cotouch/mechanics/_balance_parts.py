@@ -29,6 +29,7 @@ from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Parts
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import Links, Ports, State, Workspace
+from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._vector import at, load, put, total
 
 
@@ -142,7 +143,12 @@ def free_parts(parts: Parts | None) -> None:
 
 @part
 def hold_parts(parts: Parts | None, mark: Int) -> None:
-    """Notes which bodies tools touch, and those that touch these, from which rows are touched."""
+    """Notes which bodies tools touch, and those that touch these, from which rows are touched.
+
+    Args:
+        parts: the bodies; None: there is one.
+        mark: of each row, more than 0 where it is touched, (rows,).
+    """
     if parts is not None:
         free_parts(parts)
         for i in range(mark.shape[0]):
@@ -165,7 +171,12 @@ def hold_groups(parts: Parts | None) -> None:
 
 @part
 def keep_parts(parts: Parts | None, memory: Float) -> None:
-    """Keeps each body's energy as it was evaluated last."""
+    """Keeps each body's energy as it was evaluated last.
+
+    Args:
+        parts: the bodies; None: there is one.
+        memory: of the copy, in place.
+    """
     if parts is not None:
         for b in range(parts.held.shape[0]):
             put(memory, at(parts.memory, b), at(parts.energy, (b, 0)))
@@ -282,3 +293,21 @@ def _moves_more(parts: Parts, one: int, two: int) -> bool:
     """Whether one body moves more about its centre than another; if both do not, whether it moves more at all."""
     what = ABOUT if at(parts.sums, (one, ABOUT)) != at(parts.sums, (two, ABOUT)) else MOVING
     return at(parts.sums, (one, what)) > at(parts.sums, (two, what))
+
+
+@inner
+def hold_face(surface: Surface, parts: Parts | None, f: int) -> None:
+    """Notes that a tool touches the bodies of a triangle.
+
+    Args:
+        surface: the skin.
+        parts: the bodies; None: there is one.
+        f: the triangle.
+    """
+    if parts is None:
+        return
+    for q in range(3):
+        v = surface.corner[f, q]
+        for k in range(surface.row.shape[1]):
+            if surface.weight[v, k] != 0.0:
+                put(parts.held, at(parts.part, surface.row[v, k, 0]), 1)

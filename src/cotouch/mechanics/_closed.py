@@ -109,7 +109,7 @@ def closed_step(
         T: length of the step, > 0 [s].
         sample: slot of `links.samples` that receives x̂; negative: none.
         work: scratch.
-        ledger: result (BOOKS,), as of `step`; CLOSURE, BETA and SHORTENED besides.
+        ledger: result (LEDGER_COLUMNS,), as of `step`; CLOSURE, BETA and SHORTENED besides.
         link_work: result (links,).
         tolerance: of the solver.
         cap: on its iterations.
@@ -293,7 +293,7 @@ def closed_settle(
         force: inside the body, and its weight.
         state: whose position and velocity were set; the rest is filled in.
         work: scratch.
-        ledger: result (BOOKS,): the energies [J].
+        ledger: result (LEDGER_COLUMNS,): the energies [J].
         lanes: fixes the width of a row.
     """
     rows, memory = op.mass.shape[0], state.memory

@@ -39,7 +39,7 @@ from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import SHORTENED, SUPPLIED, Links, Ports, State, Workspace
 from cotouch.mechanics._step import book_energies, move, port_work
 from cotouch.mechanics._surface import Surface
-from cotouch.mechanics._tools import GRASP, TOUCH, TOUCH_LOSS, TOUCHED, Tools
+from cotouch.mechanics._tools import GRASP, TOUCH_LOSS, TOUCHED, TOUCHING, Tools
 from cotouch.mechanics._vector import load, splat, store, total
 
 # Of the work between tools and a linear body in a step, so much may be left to the next.
@@ -58,7 +58,13 @@ _ENOUGH = (1e-4, 1e-6)
 
 @part
 def dot_rows(first: Float, second: Float, lanes: tuple[int, ...]) -> float:
-    """`Σ firstᵀ second` over all rows."""
+    """`Σ firstᵀ second` over all rows.
+
+    Args:
+        first: (rows, width).
+        second: likewise.
+        lanes: fixes the width of a row.
+    """
     result = splat(0.0, lanes)
     for i in range(first.shape[0]):
         result = result + load(first, i, lanes) * load(second, i, lanes)
@@ -111,7 +117,7 @@ def balanced(
         sample: slot of `links.samples` that receives x̂; negative: none.
         work: scratch; `mean` holds the motion that the last solve found, and gets what comes of it.
         touch: what the last look found, with rates and motions of the last solve.
-        ledger: result (BOOKS,), as of `step`.
+        ledger: result (LEDGER_COLUMNS,), as of `step`.
         touch_ledger: result: TOUCHED, and TOUCH_LOSS is added to.
         link_work: result (links,).
         free: `v̂ᵀ b`, b the right-hand side without contacts [W].
@@ -153,7 +159,7 @@ def balanced(
     inflow, slope, spare = abs(free) + abs(contact) if force is None else 0.0, -T * (free + contact), 0.0
     for t in range(tools.mode.shape[0]):
         held_back = held_back or touch.caught[t, 0] != 0.0
-        if tools.mode[t] == TOUCH and tools.inside[t] == 0:
+        if tools.mode[t] == TOUCHING and tools.inside[t] == 0:
             first = first_crossing(surface, touch, tools, t, T)
             if first < NEVER:
                 most = min(most, _SHORT * first, room(surface, touch, tools, t) * first)

@@ -15,7 +15,12 @@ _SLACK = 1e-9
 
 @part
 def beads(tools: Tools, t: int) -> int:
-    """How many balls stand for a tool: one, or a row of them half a radius apart."""
+    """How many balls stand for a tool: one, or a row of them half a radius apart.
+
+    Args:
+        tools: the proxies.
+        t: which of them.
+    """
     axis, square = tools.axis, 0.0
     for a in range(3):
         square += axis[t, a] * axis[t, a]
@@ -24,7 +29,13 @@ def beads(tools: Tools, t: int) -> int:
 
 @part
 def bead_place(tools: Tools, t: int, bead: int) -> float:
-    """Where a ball of the row is: its middle is that of the tool and so many times the axis."""
+    """Where a ball of the row is: its middle is that of the tool and so many times the axis.
+
+    Args:
+        tools: the proxies.
+        t: which of them.
+        bead: which of its balls, from 0.
+    """
     count = beads(tools, t)
     return 0.0 if count == 1 else 2.0 * bead / (count - 1) - 1.0
 

@@ -24,7 +24,16 @@ _MOST = 2.0
 
 @part
 def begin_catch(op: Operator, surface: Surface, work: ContactWork, tools: Tools, t: int, T: float) -> None:
-    """Chooses along what, and how far from the triangle of `first_crossing`, a tool is held, and how hard at most."""
+    """Chooses along what, and how far from the triangle of `first_crossing`, a tool is held, and how hard at most.
+
+    Args:
+        op: the body's matrices.
+        surface: the skin.
+        work: `caught` and `aside` are written.
+        tools: the proxies.
+        t: which of them.
+        T: length of the step [s].
+    """
     caught, aside, row = work.caught, work.aside, 3 * t
     apart = _turn_out(surface, work, tools, t)
     push, fast = 0.0, 0.0
@@ -41,7 +50,14 @@ def begin_catch(op: Operator, surface: Surface, work: ContactWork, tools: Tools,
 
 @part
 def room(surface: Surface, work: ContactWork, tools: Tools, t: int) -> float:
-    """Share of the way to the triangle of `first_crossing` that leaves a tool as far from it as it is held at least."""
+    """Share of the way to the triangle of `first_crossing` that leaves a tool as far from it as it is held at least.
+
+    Args:
+        surface: the skin.
+        work: `caught` says which triangle it is.
+        tools: the proxies.
+        t: which of them.
+    """
     least = _NEAREST * tools.radius[t]
     apart = max(_turn_out(surface, work, tools, t), least)
     return 1.0 - least / apart
@@ -53,6 +69,13 @@ def catch(surface: Surface, work: ContactWork, tools: Tools, t: int, T: float) -
 
     Where the present guess leads is compared with where the one before led: the push that is wanted follows. Who would
     then slip through beside what holds it, between triangles that move otherwise, is held where it is against the skin.
+
+    Args:
+        surface: the skin.
+        work: `caught`, `aside`, `pull` and `force` are written.
+        tools: the proxies.
+        t: which of them.
+        T: length of the step [s].
 
     Returns:
         Whether the present guess holds them apart well enough.

@@ -11,7 +11,7 @@ from cotouch.arrays import Float
 from cotouch.mechanics._balance import FIXED, MOTION
 from cotouch.mechanics._balance_groups import TIED
 from cotouch.mechanics._balance_length import find_outside, keep_groups, stretch
-from cotouch.mechanics._balance_parts import hold_groups
+from cotouch.mechanics._balance_parts import hold_face, hold_groups
 from cotouch.mechanics._contact_over import stretch_tool
 from cotouch.mechanics._contact_skin import fastest, read_rates
 from cotouch.mechanics._contact_sweep import first_crossing
@@ -26,8 +26,8 @@ from cotouch.mechanics._operator import MASS, Operator, mixed, multiply, pull, r
 from cotouch.mechanics._state import KINETIC, Links, Ports, State, Workspace
 from cotouch.mechanics._step import assemble
 from cotouch.mechanics._surface import Surface
-from cotouch.mechanics._tools import GRASP, PROXY, TOUCH, TOUCH_LOSS, TOUCHED, Tools
-from cotouch.mechanics._vector import at, load, put, splat, store, total
+from cotouch.mechanics._tools import GRASP, PROXY, TOUCH_LOSS, TOUCHED, TOUCHING, Tools
+from cotouch.mechanics._vector import at, load, splat, store, total
 from cotouch.mechanics._world import World
 
 # Looks at most, where what obstacles do depends on where the centre goes; and its change, of itself, that ends them.
@@ -110,7 +110,7 @@ def go_about(
                 break
     touch.quick[0] = fastest(surface, work.mean, lanes)
     for t in range(tools.mode.shape[0]):
-        if tools.mode[t] == TOUCH:
+        if tools.mode[t] == TOUCHING:
             read_rates(surface, touch, t, work.mean, lanes)
     return did
 
@@ -142,7 +142,7 @@ def is_free(
     """
     free, whole = links.slot.shape[0] == 0, touch.whole
     for t in range(tools.mode.shape[0]):
-        if tools.mode[t] in (TOUCH, GRASP):
+        if tools.mode[t] in (TOUCHING, GRASP):
             free = free and tools.drive_stiffness[t] == 0.0 and tools.drive_damping[t] == 0.0
     for p in range(ports.row.shape[0]):
         free = free and ports.stiffness[p] == 0.0 and ports.damping[p] == 0.0
@@ -175,10 +175,18 @@ def _any_tied(parts: Parts | None) -> bool:
 
 @part
 def join_crossed(surface: Surface, tools: Tools, touch: ContactWork, force: BodyForce | None, T: float) -> bool:
-    """Has tools that pass the skin by the present motion, and what they pass, go about one centre; whether any does."""
+    """Has tools that pass the skin by the present motion, and what they pass, go about one centre; whether any does.
+
+    Args:
+        surface: the skin.
+        tools: the proxies.
+        touch: what is near; `caught` marks the tools that pass.
+        force: what resists inside the body; None: it is linear.
+        T: length of the step [s].
+    """
     found = False
     for t in range(tools.mode.shape[0]):
-        if tools.mode[t] == TOUCH and tools.inside[t] == 0 and first_crossing(surface, touch, tools, t, T) <= 1.0:
+        if tools.mode[t] == TOUCHING and tools.inside[t] == 0 and first_crossing(surface, touch, tools, t, T) <= 1.0:
             found = True
             touch.caught[t, 0] = 1.0
             if force is not None:
@@ -261,18 +269,6 @@ def lose_motion(
 
 
 @inner
-def hold_face(surface: Surface, parts: Parts | None, f: int) -> None:
-    """Notes that a tool touches the bodies of a triangle."""
-    if parts is None:
-        return
-    for q in range(3):
-        v = surface.corner[f, q]
-        for k in range(surface.row.shape[1]):
-            if surface.weight[v, k] != 0.0:
-                put(parts.held, at(parts.part, surface.row[v, k, 0]), 1)
-
-
-@inner
 def _looks(world: World | None) -> int:
     return 1 if world is None else _LOOKS
 
@@ -281,7 +277,7 @@ def _looks(world: World | None) -> int:
 def _joins(tools: Tools, touch: ContactWork, t: int) -> bool:
     """Whether a tool and the body do anything to each other, or did at another length of this step."""
     feels = touch.caught[t, 0] != 0.0 or touch.total[t] > 0.0 or touch.well[t] != 0.0 or touch.stored[t] != 0.0
-    if tools.mode[t] == GRASP or (tools.mode[t] == TOUCH and tools.inside[t] == 0 and feels):
+    if tools.mode[t] == GRASP or (tools.mode[t] == TOUCHING and tools.inside[t] == 0 and feels):
         touch.caught[t, 4] = 1.0
     return touch.caught[t, 4] != 0.0
 

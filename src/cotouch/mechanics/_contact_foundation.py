@@ -36,6 +36,13 @@ def stiffness_of(modulus: float, radius: float) -> float:
 
 @inner
 def press(law: Foundation, stiffness: float, radius: float, depth: float) -> tuple[float, float, float]:
-    """Energy, pressure and slope; see `cotouch.mechanics.CONTACT_LAWS`."""
+    """Energy, pressure and slope; see `cotouch.mechanics.CONTACT_LAWS`.
+
+    Args:
+        law: its numbers.
+        stiffness: k of the tool, > 0 [N/m].
+        radius: of the tool, > 0 [m].
+        depth: of the skin in it, 0 to the radius [m].
+    """
     modulus = law.hardness * _SHARE * stiffness / (pi * radius * radius)
     return 0.5 * modulus * depth * depth, modulus * depth, modulus

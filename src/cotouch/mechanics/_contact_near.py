@@ -23,7 +23,12 @@ _TINY, _MOST_GAIN = 1e-290, 3.0
 
 @part
 def forget_rows(touch: ContactWork, lanes: tuple[int, ...]) -> None:
-    """Begins with rows that nothing touches."""
+    """Begins with rows that nothing touches.
+
+    Args:
+        touch: rows that are touched; none are afterwards.
+        lanes: fixes the width of a row.
+    """
     empty_rows(touch, lanes)
     for c in range(touch.many[0]):
         i = touch.reach[c]
@@ -35,7 +40,12 @@ def forget_rows(touch: ContactWork, lanes: tuple[int, ...]) -> None:
 
 @part
 def empty_rows(touch: ContactWork, lanes: tuple[int, ...]) -> None:
-    """Takes contacts and grasps off the rows that they touched, before they are looked at again."""
+    """Takes contacts and grasps off the rows that they touched, before they are looked at again.
+
+    Args:
+        touch: rows that are touched; nothing acts on them afterwards.
+        lanes: fixes the width of a row.
+    """
     zero = splat(0.0, lanes)
     for c in range(touch.many[0]):
         i = touch.reach[c]
@@ -47,7 +57,12 @@ def empty_rows(touch: ContactWork, lanes: tuple[int, ...]) -> None:
 
 @part
 def touched(touch: ContactWork, i: int) -> int:
-    """Place of a row among those that are touched."""
+    """Place of a row among those that are touched.
+
+    Args:
+        touch: rows that are touched; the row becomes one of them.
+        i: which row.
+    """
     if touch.mark[i] == 0:
         touch.reach[touch.many[0]] = i
         touch.many[0] += 1
@@ -60,6 +75,12 @@ def say(touch: ContactWork, mean: Float, rhs: Float, lanes: tuple[int, ...]) -> 
     """Notes what contacts would do at the rate that was found, if they were linear, what comes of that, and its bound.
 
     Four rows at a time, because each sum waits for the one before.
+
+    Args:
+        touch: `said`, `given` and `quick` are written.
+        mean: rate that was found, (rows, width) [m/s].
+        rhs: right-hand side of the body's system without contacts, likewise [N].
+        lanes: fixes the width of a row.
     """
     done = a = b = c = d = p = q = r = s = splat(0.0, lanes)
     for place in range(touch.many[0]):
@@ -84,7 +105,13 @@ def say(touch: ContactWork, mean: Float, rhs: Float, lanes: tuple[int, ...]) -> 
 
 @part
 def tell(touch: ContactWork, modal: bool, lanes: tuple[int, ...]) -> None:
-    """Leaves in `push` what contacts and grasps did on the rows, for the balance and for who asks after the step."""
+    """Leaves in `push` what contacts and grasps did on the rows, for the balance and for who asks after the step.
+
+    Args:
+        touch: `push` is written.
+        modal: whether the body's rows are modes.
+        lanes: fixes the width of a row.
+    """
     for i in range(touch.found.shape[0] if modal else 0):
         store(touch.push, i, load(touch.found, i, lanes), lanes)
     for c in range(touch.many[0]):

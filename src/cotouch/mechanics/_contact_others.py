@@ -6,8 +6,7 @@ from cotouch.arrays import Float
 from cotouch.mechanics._balance import LAST_ATTEMPT, go_back, keep_place
 from cotouch.mechanics._balance_groups import LENGTH, OPEN, OTHERS, WITH
 from cotouch.mechanics._balance_length import ask_fall, find_outside, meet_again, set_length
-from cotouch.mechanics._balance_parts import hold_groups
-from cotouch.mechanics._contact_centre import hold_face
+from cotouch.mechanics._balance_parts import hold_face, hold_groups
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._direction_groups import level_groups
@@ -17,7 +16,7 @@ from cotouch.mechanics._meeting import Parts
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import Links, Ports, State, Workspace
 from cotouch.mechanics._surface import Surface
-from cotouch.mechanics._tools import TOUCH, Tools
+from cotouch.mechanics._tools import TOUCHING, Tools
 from cotouch.mechanics._vector import at, load, put, store
 
 
@@ -146,7 +145,7 @@ def _free_tools(surface: Surface, tools: Tools, touch: ContactWork, T: float) ->
     found = False
     for t in range(tools.mode.shape[0]):
         acts = touch.total[t] > 0.0 or touch.well[t] != 0.0 or touch.stored[t] != 0.0 or tools.stored[t] != 0.0
-        if tools.mode[t] != TOUCH or tools.inside[t] != 0 or touch.caught[t, 4] == 0.0 or acts:
+        if tools.mode[t] != TOUCHING or tools.inside[t] != 0 or touch.caught[t, 4] == 0.0 or acts:
             continue
         for n in range(3):
             touch.out[0, n], touch.out[1, n] = touch.mean[t, n], touch.caught[t, 6 + n]

@@ -10,7 +10,7 @@ from cotouch.mechanics._contact_press import feel_tool, press_tool, pressing
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._surface import Surface
-from cotouch.mechanics._tools import TOUCH, Tools
+from cotouch.mechanics._tools import TOUCHING, Tools
 
 _NOTHING = 1e-17  # of the energy in a depth of a tool's radius, it is out of the skin
 # A change of energy by so little was not made from outside: what a step left to the next, or foretold; and by so little
@@ -101,7 +101,14 @@ def soften(law: Any, surface: Surface, touch: ContactWork, tools: Tools, t: int)
 
 @part
 def soften_all(law: Any, surface: Surface, touch: ContactWork, tools: Tools) -> None:
-    """As `soften`, of all tools that are outside."""
+    """As `soften`, of all tools that are outside.
+
+    Args:
+        law: of the contact.
+        surface: the skin.
+        touch: what is near, and scratch.
+        tools: the proxies.
+    """
     for t in range(tools.mode.shape[0]):
-        if tools.mode[t] == TOUCH and tools.inside[t] == 0:
+        if tools.mode[t] == TOUCHING and tools.inside[t] == 0:
             soften(law, surface, touch, tools, t)

@@ -13,7 +13,7 @@ from cotouch.mechanics._kernel import part
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import Workspace
 from cotouch.mechanics._surface import Surface
-from cotouch.mechanics._tools import GRASP, TOUCH, Tools
+from cotouch.mechanics._tools import GRASP, TOUCHING, Tools
 from cotouch.mechanics._vector import FOUR, at, load, splat, store, total
 
 # A difference below this share of what made it is rounding.
@@ -37,6 +37,19 @@ def over_of(
     """What a scaled motion leaves over, of tools and, if so, a linear body; its rounding; what the tools lose [J].
 
     So far `beyond` the scale that the energy of pressure was last worked out at, it is foretold; 0: it is worked out.
+
+    Args:
+        law: of the contact.
+        surface: the skin.
+        touch: `mean` is the motion; `stored`, `pressed` and `well` are written.
+        tools: the proxies.
+        T: length of the step [s].
+        free: power `v̂ᵀ b` of the body's system without contacts [W].
+        contact: power of contacts on the body [W].
+        inflow: power that goes in and out, by size [W].
+        body: whether a linear body's balance is part of it.
+        scale: of the motion, 0 to 1.
+        beyond: by how much the scale is past the one that pressure was worked out at; 0: it is worked out.
     """
     over = T * scale * ((1.0 - scale) * free - scale * contact) if body else 0.0
     lost, stored = 0.0, 0.0
@@ -46,7 +59,7 @@ def over_of(
             over += T * rate * (touch.drive[t, a] - touch.inertia[t] * rate)
             stored += 0.0 if body else T * touch.inertia[t] * rate * rate
         gone, size = 0.0, 0.0
-        if tools.mode[t] == TOUCH and tools.inside[t] == 0:
+        if tools.mode[t] == TOUCHING and tools.inside[t] == 0:
             if beyond == 0.0:
                 touch.pressed[t, 1] = press_tool(law, surface, touch, tools, t, scale * T, 0.0, True)
             touch.stored[t] = touch.pressed[t, 1] - beyond * T * pressing(touch, t)
@@ -66,13 +79,19 @@ def over_of(
 
 @part
 def leave(touch: ContactWork, tools: Tools, over: float) -> bool:
-    """Lets the tool that does most work keep what the next step is to make up for; whether there is one."""
+    """Lets the tool that does most work keep what the next step is to make up for; whether there is one.
+
+    Args:
+        touch: `stored` of that tool changes.
+        tools: the proxies.
+        over: what the step leaves over [J].
+    """
     chosen, most = -1, 0.0
     for t in range(tools.mode.shape[0]):
         work = 0.0
         for a in range(3):
             work += abs(touch.mean[t, a] * touch.pull[t, a])
-        if tools.mode[t] in (TOUCH, GRASP) and work > most:
+        if tools.mode[t] in (TOUCHING, GRASP) and work > most:
             chosen, most = t, work
     if chosen >= 0:
         touch.stored[chosen] += over
@@ -81,7 +100,12 @@ def leave(touch: ContactWork, tools: Tools, over: float) -> bool:
 
 @part
 def driven(touch: ContactWork, tools: Tools) -> float:
-    """Power that drives and motion give tools, by size [W]."""
+    """Power that drives and motion give tools, by size [W].
+
+    Args:
+        touch: what is near, and scratch.
+        tools: the proxies.
+    """
     power = 0.0
     for t in range(tools.mode.shape[0]):
         for a in range(3):
@@ -91,7 +115,12 @@ def driven(touch: ContactWork, tools: Tools) -> float:
 
 @part
 def holds(touch: ContactWork, tools: Tools) -> bool:
-    """Whether any contact holds energy before the step or after it."""
+    """Whether any contact holds energy before the step or after it.
+
+    Args:
+        touch: `stored` says what is held after the step.
+        tools: the proxies.
+    """
     held = False
     for t in range(tools.mode.shape[0]):
         held = held or touch.stored[t] > 0.0 or tools.stored[t] > 0.0
@@ -100,7 +129,15 @@ def holds(touch: ContactWork, tools: Tools) -> bool:
 
 @part
 def moved_by(op: Operator, touch: ContactWork, T: float, work: Workspace, lanes: tuple[int, ...]) -> float:
-    """Power that inertia asks for, of a body and its tools [W]."""
+    """Power that inertia asks for, of a body and its tools [W].
+
+    Args:
+        op: the body's matrices.
+        touch: what is near, and scratch.
+        T: length of the step [s].
+        work: scratch; see `Workspace`.
+        lanes: fixes the width of a row.
+    """
     body, tools = _squares(op, touch, work, lanes)
     return 2.0 * op.copy_scale / T * body + tools
 
@@ -120,7 +157,14 @@ def _squares(op: Operator, touch: ContactWork, work: Workspace, lanes: tuple[int
 
 @part
 def went_astray(op: Operator, touch: ContactWork, work: Workspace, lanes: tuple[int, ...]) -> bool:
-    """Whether looks led to where nothing can be weighed; then nothing goes anywhere, and no tool pushes."""
+    """Whether looks led to where nothing can be weighed; then nothing goes anywhere, and no tool pushes.
+
+    Args:
+        op: the body's matrices.
+        touch: what tools do by the last look; 0 afterwards, if so.
+        work: `mean` likewise.
+        lanes: fixes the width of a row.
+    """
     body, own = _squares(op, touch, work, lanes)
     size = body + own
     for t in range(touch.mean.shape[0]):
@@ -144,16 +188,29 @@ def went_astray(op: Operator, touch: ContactWork, work: Workspace, lanes: tuple[
 
 @part
 def passes(surface: Surface, touch: ContactWork, tools: Tools, time: float) -> bool:
-    """Whether any tool passes the skin within some time."""
+    """Whether any tool passes the skin within some time.
+
+    Args:
+        surface: the skin.
+        touch: what is near, and scratch.
+        tools: the proxies.
+        time: for how long all move on as they do [s].
+    """
     for t in range(tools.mode.shape[0]):
-        if tools.mode[t] == TOUCH and tools.inside[t] == 0 and first_crossing(surface, touch, tools, t, time) <= 1.0:
+        if tools.mode[t] == TOUCHING and tools.inside[t] == 0 and first_crossing(surface, touch, tools, t, time) <= 1.0:
             return True
     return False
 
 
 @part
 def stretch_tool(touch: ContactWork, t: int, factor: float) -> None:
-    """Scales how far a tool goes, and what it holds; what overflowed would be no number times 0."""
+    """Scales how far a tool goes, and what it holds; what overflowed would be no number times 0.
+
+    Args:
+        touch: `mean`, `skin` and `held` are changed.
+        t: which tool.
+        factor: by which it is scaled, >= 0.
+    """
     goes = factor > 0.0
     touch.held[t, 1] = factor * touch.held[t, 1] if goes else 0.0
     touch.held[t, 2] = factor * factor * touch.held[t, 2] if goes else 0.0

@@ -19,7 +19,7 @@ from cotouch.mechanics._contact_snap import draw_tool
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._surface import Surface
-from cotouch.mechanics._tools import TOUCH, Tools
+from cotouch.mechanics._tools import TOUCHING, Tools
 from cotouch.mechanics._vector import FOUR, at, four, load, put, splat, store, total
 
 # A stretch of friction that lies this much across the skin, of its length, has no direction along it.
@@ -142,7 +142,12 @@ def _sum(
 
 @inner
 def pressing(work: ContactWork, t: int) -> float:
-    """Power that the pressure on a tool has on it and the skin, in the middle of the step [W]."""
+    """Power that the pressure on a tool has on it and the skin, in the middle of the step [W].
+
+    Args:
+        work: what is near, and scratch.
+        t: which tool.
+    """
     power = 0.0
     for a in range(3):
         power += work.way[t, 3] * work.way[t, a] * (work.mean[t, a] - work.skin[t, a])
@@ -154,10 +159,15 @@ def unsure(work: ContactWork, tools: Tools, T: float) -> float:
     """How far the power of pressure at the end of a step, times T, is from that in its middle, at most about [J].
 
     By how forces changed since the last step, and by what that power does not say of the energy at the end.
+
+    Args:
+        work: what the last look found.
+        tools: the proxies.
+        T: length of the step [s].
     """
     result = 0.0
     for t in range(tools.mode.shape[0]):
-        if tools.mode[t] != TOUCH or tools.inside[t] != 0:
+        if tools.mode[t] != TOUCHING or tools.inside[t] != 0:
             continue
         change, rate, skin = 0.0, 0.0, 0.0
         for a in range(3):
@@ -171,7 +181,13 @@ def unsure(work: ContactWork, tools: Tools, T: float) -> float:
 
 @part
 def read_skin(surface: Surface, work: ContactWork, t: int) -> None:
-    """Works out how fast the skin moves where a tool presses."""
+    """Works out how fast the skin moves where a tool presses.
+
+    Args:
+        surface: the skin.
+        work: `rate` and `load` say what moves; `skin` is written.
+        t: which tool.
+    """
     corner, near, borne, rate, faces = surface.corner, work.near, work.load, work.rate, work.near.shape[1]
     skin = splat(0.0, FOUR)
     for a in range(3):
@@ -190,6 +206,13 @@ def rub(work: ContactWork, tools: Tools, t: int, time: float, T: float) -> tuple
     """Friction, the skin's film and damping of a tool that moved for some time, of a step's length T, against the skin.
 
     `rubbed` gets the stretch at the end and `slips` whether it slips.
+
+    Args:
+        work: `way`, `mean` and `skin` say what moves.
+        tools: the proxies.
+        t: which of them.
+        time: for how long, 0 to T [s].
+        T: length of the step [s].
 
     Returns:
         The energy in the spring; what was lost [J]; how much of the spring's stiffness resists more of it.
@@ -243,6 +266,14 @@ def feel_tool(law: Any, surface: Surface, work: ContactWork, tools: Tools, t: in
 
     Energy along a straight way changes by the mean of its slope, which two points of Gauss's rule give to fourth order.
     Where that way is short, the middle alone is as good.
+
+    Args:
+        law: of the contact.
+        surface: the skin.
+        work: `rate` and `mean` say what moves.
+        tools: the proxies.
+        t: which of them.
+        T: length of the step [s].
 
     Returns:
         Of one whose way is short, the energy of its pressure in the middle, as well as forces need it [J].

@@ -34,7 +34,7 @@ from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._solve import solve_step
 from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
 from cotouch.mechanics._surface import Surface
-from cotouch.mechanics._tools import GRASP, TOUCH, Tools
+from cotouch.mechanics._tools import GRASP, TOUCHING, Tools
 from cotouch.mechanics._vector import FOUR, load, splat, store
 
 # Looks at most.
@@ -140,7 +140,7 @@ def _feel(
     for t in range(tools.mode.shape[0]):
         if tools.mode[t] == GRASP:
             feel_grasp(surface, touch, tools, t, T, state.position, work.mean, work.diagonal, True, lanes)
-        elif tools.mode[t] == TOUCH and tools.inside[t] == 0:
+        elif tools.mode[t] == TOUCHING and tools.inside[t] == 0:
             follow(surface, touch, tools, t, T, state, work.mean, lanes)
             passes = passes or first_crossing(surface, touch, tools, t, T) < NEVER
             feel_tool(law, surface, touch, tools, t, T)
@@ -203,5 +203,12 @@ def _correct(
 
 @inner
 def seekable(op: Operator, force: BodyForce, surface: Surface, work: Workspace) -> bool:
-    """Whether a search is of use: one body, of many nodes that are solved for together."""
+    """Whether a search is of use: one body, of many nodes that are solved for together.
+
+    Args:
+        op: the body's matrices.
+        force: what resists inside the body.
+        surface: the skin.
+        work: `dense` says what is solved for at once.
+    """
     return force.parts is None and op.entries.shape[0] > 0 and work.dense.shape[0] == 0 and surface.shape.shape[0] == 0

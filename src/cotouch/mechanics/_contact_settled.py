@@ -21,7 +21,12 @@ _LITTLE = 5e-5
 
 @part
 def changed(touch: ContactWork, t: int) -> float:
-    """By which share a tool is pulled otherwise than by the guess before."""
+    """By which share a tool is pulled otherwise than by the guess before.
+
+    Args:
+        touch: `pull` and `before`.
+        t: which tool.
+    """
     change = size = 0.0
     for a in range(3):
         change += (touch.pull[t, a] - touch.before[t, a]) ** 2
@@ -45,6 +50,18 @@ def settled(
     """The change of forces at which looks may end.
 
     What contacts do beside what they were said to is work that the end velocity must make up for; what rests has none.
+
+    Args:
+        op: the body's matrices.
+        force: what resists inside the body; None: it is linear.
+        state: of the copy.
+        guess: rate of the rows where the look was, (rows, width) [m/s].
+        touch: what is near, and scratch.
+        tools: the proxies.
+        T: length of the step [s].
+        change: of forces since the look before, as a share; infinite: this is the first.
+        near: whether matrices couple the rows, which are no modes, and none is solved for at once.
+        lanes: fixes the width of a row.
     """
     if not near:
         return _SETTLED

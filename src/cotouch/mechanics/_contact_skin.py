@@ -8,18 +8,25 @@ from cotouch.mechanics._contact_beads import bead_place
 from cotouch.mechanics._contact_near import touched
 from cotouch.mechanics._contact_patch import overlap
 from cotouch.mechanics._contact_work import ContactWork
+from cotouch.mechanics._fit import box_distance, farthest, place_vertex
 from cotouch.mechanics._fours import Quad, corner_rows, elements, four_rows
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._matrix3 import Vector
 from cotouch.mechanics._state import State
-from cotouch.mechanics._surface import Surface, box_distance, farthest, place_vertex
+from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import Tools
 from cotouch.mechanics._vector import FOUR, at, four, load, lower, put, size, splat, store, total, transposed, upper
 
 
 @part
 def fastest(surface: Surface, velocity: Float, lanes: tuple[int, ...]) -> float:
-    """A bound on the speed of every vertex [m/s]."""
+    """A bound on the speed of every vertex [m/s].
+
+    Args:
+        surface: the skin.
+        velocity: of the rows, (rows, width) [m/s].
+        lanes: fixes the width of a row.
+    """
     rows, width = velocity.shape[0], velocity.shape[1]
     square = 0.0
     if surface.shape.shape[0] > 0:  # of the whole tree's box: its mean shape and what shapes differ from it
@@ -39,7 +46,14 @@ def fastest(surface: Surface, velocity: Float, lanes: tuple[int, ...]) -> float:
 
 @inner
 def found_fastest(surface: Surface, work: ContactWork, mean: Float, lanes: tuple[int, ...]) -> float:
-    """`fastest` after a solve, of which `say` found the fastest row."""
+    """`fastest` after a solve, of which `say` found the fastest row.
+
+    Args:
+        surface: the skin.
+        work: `quick` is that of the fastest row.
+        mean: velocity that was solved for, (rows, width) [m/s].
+        lanes: fixes the width of a row.
+    """
     if surface.shape.shape[0] == 0 and mean.shape[1] > 1:
         return surface.swing * work.quick[0]
     return fastest(surface, mean, lanes)
@@ -49,7 +63,17 @@ def found_fastest(surface: Surface, work: ContactWork, mean: Float, lanes: tuple
 def look_around(
     surface: Surface, work: ContactWork, tools: Tools, t: int, reach: float, position: Float, lanes: tuple[int, ...]
 ) -> None:
-    """Notes every triangle that is no farther from the middle of a tool, its vertices, and how far all are at least."""
+    """Notes every triangle that is no farther from the middle of a tool, its vertices, and how far all are at least.
+
+    Args:
+        surface: the skin.
+        work: what is near is written.
+        tools: the proxies.
+        t: which of them.
+        reach: how far from its middle it looks, > 0 [m].
+        position: displacements of the rows, (rows, width) [m].
+        lanes: fixes the width of a row.
+    """
     fit, stack, near = work.fit, work.stack, work.near
     place, corner, child, leaf, fresh = fit.place, surface.corner, surface.child, surface.leaf, fit.fresh
     forget_hits(work, t)
@@ -97,13 +121,24 @@ def look_around(
 
 @part
 def reach_of(surface: Surface, tools: Tools, t: int) -> float:
-    """How far from the middle of one of its balls the skin may act on a tool [m]."""
+    """How far from the middle of one of its balls the skin may act on a tool [m].
+
+    Args:
+        surface: the skin.
+        tools: the proxies.
+        t: which of them.
+    """
     return tools.radius[t] + max(surface.relief.top, tools.snap_range[t])
 
 
 @part
 def length_of(rows: Float, row: int) -> float:
-    """Length of the vector in a row, in its unit."""
+    """Length of the vector in a row, in its unit.
+
+    Args:
+        rows: (rows, 3 or more).
+        row: which of them.
+    """
     return math.sqrt(rows[row, 0] ** 2 + rows[row, 1] ** 2 + rows[row, 2] ** 2)
 
 
@@ -119,6 +154,16 @@ def follow(
     lanes: tuple[int, ...],
 ) -> bool:
     """Reads how fast the skin near one tool moves by the present guess; what it may come to is near, too.
+
+    Args:
+        surface: the skin.
+        work: what is near, and `rate`, are written.
+        tools: the proxies.
+        t: which of them.
+        T: length of the step [s].
+        state: of the copy.
+        mean: mean velocity of the rows, (rows, width) [m/s].
+        lanes: fixes the width of a row.
 
     Returns:
         Whether what was near is in its place, so that what the last look gathered still says where the tool presses.
@@ -136,7 +181,15 @@ def follow(
 
 @part
 def place_bead(work: ContactWork, tools: Tools, t: int, bead: int, time: float) -> None:
-    """Writes where one ball of a tool is after it moved for some time, into row 3 of `spot`."""
+    """Writes where one ball of a tool is after it moved for some time, into row 3 of `spot`.
+
+    Args:
+        work: `mean` says how the tool moves; `spot` is written.
+        tools: the proxies.
+        t: which of them.
+        bead: which of its balls, from 0.
+        time: how long it moved [s].
+    """
     along, spot = bead_place(tools, t, bead), work.spot
     for a in range(3):
         spot[3, a] = tools.place[t, a] + along * tools.axis[t, a] + time * work.mean[t, a]
@@ -146,6 +199,12 @@ def place_bead(work: ContactWork, tools: Tools, t: int, bead: int, time: float) 
 @part
 def place_face(work: ContactWork, face: int, corner: Int, time: float) -> float:
     """Writes where the corners of a triangle are after they moved for some time, into rows 0 to 2 of `spot`.
+
+    Args:
+        work: `rate` says how vertices move; `spot` is written.
+        face: which triangle.
+        corner: vertices of each triangle, (F, 3).
+        time: how long they moved [s].
 
     Returns:
         Square of the distance of the point in row 3 from the box around them [m²].
@@ -204,7 +263,12 @@ def _seen(work: ContactWork, v: Quad, time: float) -> Vector:
 
 @part
 def forget_hits(work: ContactWork, t: int) -> None:
-    """Begins with no triangle that a tool does anything on."""
+    """Begins with no triangle that a tool does anything on.
+
+    Args:
+        work: `hits` and `load` are emptied.
+        t: which tool.
+    """
     faces = work.near.shape[1]
     for n in range(work.hits[t]):
         store(work.load, t * faces + work.hit[t, n], splat(0.0, FOUR), FOUR)
@@ -213,7 +277,13 @@ def forget_hits(work: ContactWork, t: int) -> None:
 
 @part
 def note_hit(work: ContactWork, t: int, c: int) -> None:
-    """Notes that a tool does something on one of the triangles near it."""
+    """Notes that a tool does something on one of the triangles near it.
+
+    Args:
+        work: `hits`, `hit` and `load` are written.
+        t: which tool.
+        c: which of the triangles near it.
+    """
     place = t * work.near.shape[1] + c
     if work.load[place, 3] == 0.0:
         work.load[place, 3] = 1.0
@@ -223,7 +293,15 @@ def note_hit(work: ContactWork, t: int, c: int) -> None:
 
 @part
 def read_rates(surface: Surface, work: ContactWork, t: int, mean: Float, lanes: tuple[int, ...]) -> None:
-    """Works out how fast the vertices near a tool move."""
+    """Works out how fast the vertices near a tool move.
+
+    Args:
+        surface: the skin.
+        work: `vertex` says which are near; `rate` is written.
+        t: which tool.
+        mean: mean velocity of the rows, (rows, width) [m/s].
+        lanes: fixes the width of a row.
+    """
     row, weight, shape = surface.row, surface.weight, surface.shape
     rate, modal, rows = work.rate, surface.shape.shape[0] > 0, mean.shape[0]
     for n in range(work.vertices[t]):

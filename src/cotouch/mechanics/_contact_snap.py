@@ -141,7 +141,14 @@ def draw_tool(
 
 @part
 def begin_snap(surface: Surface, work: ContactWork, tools: Tools, t: int) -> None:
-    """Lets the skin draw a tool that is out of range and owes nothing; not one that was moved away from outside."""
+    """Lets the skin draw a tool that is out of range and owes nothing; not one that was moved away from outside.
+
+    Args:
+        surface: the skin.
+        work: what is near, and scratch.
+        tools: the proxies; `snaps` is written.
+        t: which of them.
+    """
     if tools.snap[t] <= 0.0 or tools.inside[t] != 0:
         return
     energy, size = draw_tool(surface, work, tools, t, 0.0, 0.0)
@@ -157,6 +164,10 @@ def end_snap(tools: Tools, t: int) -> None:
     """No longer draws a tool, which owes what it would have taken to pull it off.
 
     Else taking it away, and letting it be drawn again, would give energy each time.
+
+    Args:
+        tools: the proxies; `owed`, `well` and `snaps` are written.
+        t: which of them.
     """
     tools.owed[t] -= tools.well[t]
     tools.well[t], tools.snaps[t] = 0.0, 0
@@ -164,7 +175,12 @@ def end_snap(tools: Tools, t: int) -> None:
 
 @part
 def owed_drag(tools: Tools, t: int) -> float:
-    """What resists the motion of a tool that owes energy [Ns/m]."""
+    """What resists the motion of a tool that owes energy [Ns/m].
+
+    Args:
+        tools: the proxies.
+        t: which of them.
+    """
     if tools.owed[t] <= 0.0:
         return 0.0
     fast = 0.0

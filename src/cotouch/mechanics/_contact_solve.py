@@ -36,6 +36,22 @@ def solve_touched(
 
     Diagonal and right-hand side are without contacts again afterwards.
 
+    Args:
+        op: the body's matrices.
+        ports: what holds the copy.
+        touch: what contacts were found to do.
+        state: of the copy.
+        work: the body's system; `mean` is written.
+        T: length of the step [s].
+        number: of the look, from 0.
+        modal: whether the body's rows are modes.
+        corrects: whether the rate is corrected rather than solved for.
+        material: whether the body has a material.
+        ledger: ITERATIONS is added to.
+        tolerance: of the solver.
+        cap: on its iterations.
+        lanes: fixes the width of a row.
+
     Returns:
         Of a correction of a body with a material, what it changed and what moves then, as `direct`; else 0.
     """

@@ -35,6 +35,7 @@ from cotouch.mechanics._debris import drop_debris, free_debris
 from cotouch.mechanics._direction import begin_looks, level, predict
 from cotouch.mechanics._direction_missing import hold_ports
 from cotouch.mechanics._direction_more import MOST_LOOKS, leaves_little, rough
+from cotouch.mechanics._fit import refit
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_memory import looks_ahead
 from cotouch.mechanics._grasp import feel_grasp, take
@@ -43,8 +44,8 @@ from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._proxy import book_drive, move_proxy, pay, proxy_drive, proxy_inertia
 from cotouch.mechanics._state import ITERATIONS, Links, Ports, State, Workspace
 from cotouch.mechanics._step import assemble
-from cotouch.mechanics._surface import Surface, refit
-from cotouch.mechanics._tools import BLADE, GRASP, TOUCH, TOUCH_LOSS, TOUCH_STORED, Tools
+from cotouch.mechanics._surface import Surface
+from cotouch.mechanics._tools import BLADE, GRASP, TOUCH_LOSS, TOUCH_STORED, TOUCHING, Tools
 from cotouch.mechanics._vector import load, splat, store
 from cotouch.mechanics._world_force import looks_of, take_up
 from cotouch.mechanics._world_lean import lean_world
@@ -95,8 +96,8 @@ def contact_step(
         T: length of the step, > 0 [s].
         sample: slot of `links.samples` that receives x̂; negative: none.
         work: scratch.
-        ledger: result (BOOKS,), as of `step`.
-        touch_ledger: result (TOUCH_BOOKS,): see `cotouch.mechanics.TOUCH_LEDGER`.
+        ledger: result (LEDGER_COLUMNS,), as of `step`.
+        touch_ledger: result (TOUCH_LEDGER,): see `cotouch.mechanics.TOUCH_LEDGER`.
         link_work: result (links,).
         tolerance: of the solver.
         cap: on its iterations.
@@ -132,7 +133,7 @@ def contact_step(
                 store(push, i, splat(0.0, lanes), lanes)
         before, change = change, 0.0
         for t in range(tools.mode.shape[0]):
-            if look and (tools.mode[t] == GRASP or (tools.mode[t] == TOUCH and tools.inside[t] == 0)):
+            if look and (tools.mode[t] == GRASP or (tools.mode[t] == TOUCHING and tools.inside[t] == 0)):
                 change = max(
                     change,
                     _look(
@@ -188,7 +189,7 @@ def contact_step(
         if last:
             break
     for t in range(tools.mode.shape[0]):
-        if look and tools.mode[t] == TOUCH:
+        if look and tools.mode[t] == TOUCHING:
             if follow(surface, touch, tools, t, T, state, mean, lanes):
                 read_skin(surface, touch, t)  # friction is stretched by where the last correction leads
         elif tools.mode[t] == GRASP:
@@ -272,14 +273,14 @@ def _begin(
     for t in range(tools.mode.shape[0]):
         mode = tools.mode[t]
         touch.number[t], tools.touching[t] = 0, 0
-        acts = mode in (TOUCH, GRASP)
+        acts = mode in (TOUCHING, GRASP)
         acting = acting or acts
-        if mode != TOUCH:
+        if mode != TOUCHING:
             end_snap(tools, t)
         if not acts or (mode == GRASP) != (tools.held[t] >= 0):  # what it held before goes
             touch_ledger[TOUCH_LOSS] += tools.stored[t] + tools.owed[t]
             tools.stored[t], tools.held[t] = -tools.owed[t], -1
-        if mode != TOUCH:
+        if mode != TOUCHING:
             tools.inside[t], tools.slipping[t] = 1, 0
             for a in range(3):
                 tools.stretch[t, a] = 0.0
@@ -289,7 +290,7 @@ def _begin(
     refit(surface, touch.fit, state.position, lanes)
     touch.quick[0] = fastest(surface, state.velocity, lanes)
     for t in range(tools.mode.shape[0]):
-        if tools.mode[t] == TOUCH:
+        if tools.mode[t] == TOUCHING:
             way = T * (touch.quick[0] + length_of(tools.rate, t))
             finest = min(tools.radius[t], tools.snap_range[t]) if tools.snap[t] > 0.0 else tools.radius[t]
             touch.seen[t] = reach_of(surface, tools, t) * (1.0 + _MARGIN) + length_of(tools.axis, t) + _WAYS * way
@@ -384,7 +385,7 @@ def _settle(touch: ContactWork, tools: Tools, T: float, sigma: float, touch_ledg
             pay(tools, t, a, T, w, touch_ledger)
             book_drive(tools, t, a, T, w, touch_ledger)
             move_proxy(tools, t, a, T, w, touch_ledger)
-            tools.stretch[t, a] = touch.rubbed[t, a] if tools.mode[t] == TOUCH else 0.0
+            tools.stretch[t, a] = touch.rubbed[t, a] if tools.mode[t] == TOUCHING else 0.0
         tools.slipping[t] = touch.slips[t]
         tools.touching[t] = 1 if touch.total[t] > 0.0 or touch.caught[t, 0] != 0.0 else max(tools.held[t], 0)
         if tools.owed[t] < 0.0:  # it paid more

@@ -29,7 +29,14 @@ class Stiffening(NamedTuple):
 
 @inner
 def press(law: Stiffening, stiffness: float, radius: float, depth: float) -> tuple[float, float, float]:
-    """Energy, pressure and slope; see `cotouch.mechanics.CONTACT_LAWS`."""
+    """Energy, pressure and slope; see `cotouch.mechanics.CONTACT_LAWS`.
+
+    Args:
+        law: its numbers.
+        stiffness: k of the tool, > 0 [N/m].
+        radius: of the tool, > 0 [m].
+        depth: of the skin in it, 0 to the radius [m].
+    """
     modulus = (1.0 + _SOFTEST) * law.hardness * _SHARE * stiffness / (pi * radius * radius)
     share = 2.0 / radius * depth
     room = 1.0 / (1.0 + _SOFTEST - share)

@@ -23,6 +23,13 @@ def first_crossing(surface: Surface, work: ContactWork, tools: Tools, t: int, T:
 
     All move straight, so the volume of triangle and point is a cubic in time, whose roots are found between its turns
     [Provot 1997]. Triangle, shares of its corners and ball go to `caught`.
+
+    Args:
+        surface: the skin.
+        work: `rate` and `mean` say what moves; `caught` is written.
+        tools: the proxies.
+        t: which of them.
+        T: length of the step [s].
     """
     place, rate, mean, middle = work.fit.place, work.rate, work.mean, tools.place
     corner, near, caught = surface.corner, work.near, work.caught

@@ -52,7 +52,7 @@ def weigh_way(
         shorter: how often the step was tried.
         work: scratch; `mean` holds the motion, debris rests in it.
         link_work: result (links,).
-        ledger: result (BOOKS,), as of `step`.
+        ledger: result (LEDGER_COLUMNS,), as of `step`.
         lanes: fixes the width of a row.
 
     Returns:

@@ -6,9 +6,10 @@ import numpy as np
 
 from cotouch.arrays import Float, Int
 from cotouch.mechanics._contact_patch import FOUND
+from cotouch.mechanics._fit import Fit, fit_of
 from cotouch.mechanics._model import Model
 from cotouch.mechanics._state import CHANGES
-from cotouch.mechanics._surface import Fit, Surface, fit_of
+from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import MOST_HELD
 from cotouch.passing import by_address
 

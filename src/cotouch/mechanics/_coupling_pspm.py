@@ -50,7 +50,7 @@ def _bound(held: HeldForce) -> float:
     )
 
 
-PSPM = register_coupling(
+PSPM_COUPLING = register_coupling(
     DeviceCoupling(
         name="pspm",
         device=_device,

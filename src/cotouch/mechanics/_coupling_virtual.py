@@ -45,7 +45,7 @@ def _proxy(end: Float) -> None:
     _spring(end, there, end[END.damping] + drag)
 
 
-VIRTUAL = register_coupling(
+VIRTUAL_COUPLING = register_coupling(
     DeviceCoupling(
         name="virtual",
         device=_device,

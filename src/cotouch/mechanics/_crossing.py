@@ -65,7 +65,17 @@ def _volume(spot: Float, a: int, b: int, c: int, d: int) -> float:
 
 @part
 def near_triangle(spot: Float, i: int, j: int, a: int, b: int, c: int, reach: float) -> bool:
-    """Whether the line from i to j comes within reach of a triangle."""
+    """Whether the line from i to j comes within reach of a triangle.
+
+    Args:
+        spot: places, (points, 3 or more) [m].
+        i: point at one end of the line.
+        j: at the other.
+        a: corner of the triangle.
+        b: likewise.
+        c: likewise.
+        reach: >= 0 [m].
+    """
     one, two = _volume(spot, a, b, c, i), _volume(spot, a, b, c, j)
     if (one > 0.0) != (two > 0.0):
         p, q, r = _volume(spot, i, j, a, b), _volume(spot, i, j, b, c), _volume(spot, i, j, c, a)

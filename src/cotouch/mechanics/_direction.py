@@ -58,6 +58,22 @@ def direct(
     a single body so is their angular momentum, and its looks at a step are combined; `number` says how many were taken,
     negative: it is none of these.
 
+    Args:
+        op: the body's matrices.
+        force: what resists inside the body.
+        state: of the copy.
+        links: the neighbours' samples.
+        ports: what holds the copy.
+        local_damping: B_i as coefficients over the weights, (weights,).
+        extra_damping: B_e likewise.
+        T: length of the step [s].
+        number: how many looks were taken; negative: it is none of a step's.
+        work: `mean` is v̂; corrected in place.
+        ledger: ITERATIONS is added to.
+        tolerance: of the solver.
+        cap: on its iterations.
+        lanes: fixes the width of a row.
+
     Returns:
         Squares of the correction, and of the end velocity about the centre of mass, in the norm of M: it is of this
         that the closure takes; and the power that was missing before, which it would have made up for. Of what no
@@ -92,6 +108,18 @@ def ask(
     """Works out what v̂ misses of the forces where it leads, by `predict`, for `correct`.
 
     Where nothing couples rows, all that is asked for.
+
+    Args:
+        op: the body's matrices.
+        force: what resists inside the body.
+        state: of the copy.
+        links: the neighbours' samples.
+        ports: what holds the copy.
+        local_damping: B_i as coefficients over the weights, (weights,).
+        extra_damping: B_e likewise.
+        T: length of the step [s].
+        work: `mean` is v̂; the system is written.
+        lanes: fixes the width of a row.
     """
     assemble(op, state, links, ports, local_damping, extra_damping, T, work, lanes)
     lean_world(force.world, op.copy_scale * op.firmness, work.mean, work, lanes)
@@ -116,6 +144,19 @@ def correct(
     lanes: tuple[int, ...],
 ) -> tuple[float, float]:
     """Corrects v̂ by what it misses, with springs and dampers within the body that are stiffer by a share of theirs.
+
+    Args:
+        op: the body's matrices.
+        force: what resists inside the body.
+        state: of the copy.
+        ports: what holds the copy.
+        T: length of the step [s].
+        stiffer: that share, >= 0.
+        work: `mean` is v̂, corrected in place; `rhs` what it misses.
+        ledger: ITERATIONS is added to.
+        tolerance: of the solver.
+        cap: on its iterations.
+        lanes: fixes the width of a row.
 
     Returns:
         See `direct`.
@@ -187,6 +228,20 @@ def level(
 
     Coarse solves, and looks that end before contact is exactly what it was, would make some out of nothing. What a tool
     touches is left as it was found together with the tool. `known`: the last look was where v̂ leads.
+
+    Args:
+        op: the body's matrices.
+        force: what resists inside the body.
+        parts: the bodies; None: there is one.
+        state: of the copy.
+        links: the neighbours' samples.
+        ports: what holds the copy.
+        local_damping: B_i as coefficients over the weights, (weights,).
+        extra_damping: B_e likewise.
+        T: length of the step [s].
+        known: whether the last look was where v̂ leads.
+        work: `mean` is v̂; moved in place.
+        lanes: fixes the width of a row.
     """
     if parts is None:
         return

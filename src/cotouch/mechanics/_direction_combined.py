@@ -89,7 +89,12 @@ def combine_looks(state: State, T: float, number: int, work: Workspace, lanes: t
 
 @part
 def missing_power(work: Workspace, lanes: tuple[int, ...]) -> float:
-    """What `combine_looks` returns, of looks that are not combined."""
+    """What `combine_looks` returns, of looks that are not combined.
+
+    Args:
+        work: `mean` is v̂, `rhs` what it misses.
+        lanes: fixes the width of a row.
+    """
     power = splat(0.0, lanes)
     for i in range(work.mean.shape[0]):
         power = power + load(work.mean, i, lanes) * load(work.rhs, i, lanes)

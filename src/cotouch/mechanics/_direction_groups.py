@@ -39,6 +39,19 @@ def level_groups(
 
     What its bodies do to each other adds up to nothing, so however far they go, only what is done to them from outside
     changes it: by ports and obstacles where they come to, by links and by weight.
+
+    Args:
+        op: the body's matrices.
+        force: what resists inside the body.
+        parts: the bodies; None: there is one.
+        state: of the copy.
+        links: the neighbours' samples.
+        ports: what holds the copy.
+        local_damping: B_i as coefficients over the weights, (weights,).
+        extra_damping: B_e likewise.
+        T: length of the step [s].
+        work: `mean` is v̂; moved in place.
+        lanes: fixes the width of a row.
     """
     if parts is None:
         return

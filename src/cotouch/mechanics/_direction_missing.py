@@ -10,7 +10,14 @@ from cotouch.mechanics._vector import at, load, put, splat, store
 
 @part
 def stiffen(op: Operator, T: float, share: float, work: Workspace) -> None:
-    """Adds to A a share of the springs and dampers within the body."""
+    """Adds to A a share of the springs and dampers within the body.
+
+    Args:
+        op: the body's matrices.
+        T: length of the step [s].
+        share: of theirs, >= 0.
+        work: `diagonal` and `scale` are added to.
+    """
     for i in range(op.mass.shape[0]):
         put(work.diagonal, i, at(work.diagonal, i) + share * op.copy_scale * _inside(op, T, i))
     for family in range(op.entries.shape[0]):
@@ -29,7 +36,14 @@ def _inside(op: Operator, T: float, i: int) -> float:
 
 @inner
 def outer(op: Operator, T: float, i: int, work: Workspace) -> float:
-    """What stands on the diagonal of A without the springs and dampers within the body, whose force is known."""
+    """What stands on the diagonal of A without the springs and dampers within the body, whose force is known.
+
+    Args:
+        op: the body's matrices.
+        T: length of the step [s].
+        i: which row.
+        work: `diagonal` is that of A.
+    """
     return at(work.diagonal, i) - op.copy_scale * _inside(op, T, i)
 
 
@@ -51,7 +65,14 @@ def couples(op: Operator) -> bool:
 
 @part
 def lack(op: Operator, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Takes off the right-hand side what is done by v̂, but for springs and dampers within the body."""
+    """Takes off the right-hand side what is done by v̂, but for springs and dampers within the body.
+
+    Args:
+        op: the body's matrices.
+        T: length of the step [s].
+        work: `mean` is v̂; `rhs` is changed.
+        lanes: fixes the width of a row.
+    """
     joined = couples(op)
     for i in range(op.mass.shape[0]):
         left = load(work.rhs, i, lanes) - outer(op, T, i, work) * load(work.mean, i, lanes)
@@ -67,7 +88,13 @@ def lack(op: Operator, T: float, work: Workspace, lanes: tuple[int, ...]) -> Non
 
 @part
 def lack_ports(ports: Ports, work: Workspace, rhs: Float) -> None:
-    """Takes off a right-hand side what ports that hold many rows resist v̂."""
+    """Takes off a right-hand side what ports that hold many rows resist v̂.
+
+    Args:
+        ports: that hold many rows; there may be none.
+        work: `mean` is v̂.
+        rhs: (rows, width), changed in place [N].
+    """
     for p in range(ports.shape.shape[0]):
         for a in range(rhs.shape[1]):
             goes = 0.0
@@ -83,6 +110,11 @@ def hold_ports(op: Operator, ports: Ports, work: Workspace) -> None:
     """Puts on the diagonal how ports resist rows that are solved for one by one beside others that are so at once.
 
     There each port holds one row.
+
+    Args:
+        op: the body's matrices.
+        ports: what holds the copy.
+        work: `diagonal` is added to.
     """
     if ports.shape.shape[0] > 0 and work.dense.shape[0] > 0:
         for p in range(ports.row.shape[0]):
@@ -107,6 +139,13 @@ def move_whole(op: Operator, parts: Parts | None, T: float, work: Workspace, lan
     """Moves each body as a whole, in `pull`, as its momentum asks; the right-hand side gets what is left to solve.
 
     What is solved for at once is so as a whole.
+
+    Args:
+        op: the body's matrices.
+        parts: the bodies; None: there is one.
+        T: length of the step [s].
+        work: `pull` and `rhs` are written.
+        lanes: fixes the width of a row.
     """
     joined = couples(op)
     if parts is None:
@@ -139,7 +178,14 @@ def move_whole(op: Operator, parts: Parts | None, T: float, work: Workspace, lan
 
 @part
 def add_momentum(op: Operator, T: float, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Moves the body as a whole so that `A v̂` has the momentum of the right-hand side, which a solve missed."""
+    """Moves the body as a whole so that `A v̂` has the momentum of the right-hand side, which a solve missed.
+
+    Args:
+        op: the body's matrices.
+        T: length of the step [s].
+        work: `mean` is v̂; changed in place.
+        lanes: fixes the width of a row.
+    """
     left, whole, joined = splat(0.0, lanes), 0.0, couples(op)
     for i in range(op.mass.shape[0]):
         own = _row(op, T, i, joined, work)
@@ -152,7 +198,16 @@ def add_momentum(op: Operator, T: float, work: Workspace, lanes: tuple[int, ...]
 
 @part
 def miss(op: Operator, diagonal: Float, rhs: Float, work: Workspace, out: Float, lanes: tuple[int, ...]) -> None:
-    """What `A v̂` lacks of a right-hand side; `out` may be it."""
+    """What `A v̂` lacks of a right-hand side; `out` may be it.
+
+    Args:
+        op: the body's matrices.
+        diagonal: of A, (rows,) [Ns/m].
+        rhs: (rows, width) [N].
+        work: `mean` is v̂, and `scale` those of the families.
+        out: result, (rows, width) [N].
+        lanes: fixes the width of a row.
+    """
     for i in range(diagonal.shape[0]):
         left = load(rhs, i, lanes) - diagonal[i] * load(work.mean, i, lanes)
         for family in range(op.entries.shape[0]):
@@ -162,7 +217,13 @@ def miss(op: Operator, diagonal: Float, rhs: Float, work: Workspace, out: Float,
 
 @inner
 def resisted(op: Operator, i: int, work: Workspace) -> float:
-    """Sum of a row of A: what resists there that a body moves as a whole [Ns/m]."""
+    """Sum of a row of A: what resists there that a body moves as a whole [Ns/m].
+
+    Args:
+        op: the body's matrices.
+        i: which row.
+        work: `diagonal` and `scale` are those of A.
+    """
     own = at(work.diagonal, i)
     for family in range(op.entries.shape[0]):
         for e in range(at(op.pointer, i), at(op.pointer, i + 1)):
@@ -172,7 +233,15 @@ def resisted(op: Operator, i: int, work: Workspace) -> float:
 
 @part
 def take_port(ports: Ports, parts: Parts | None, p: int, gain: float, work: Workspace) -> None:
-    """Takes off a right-hand side what a port that holds many rows resists, and notes how it resists each body."""
+    """Takes off a right-hand side what a port that holds many rows resists, and notes how it resists each body.
+
+    Args:
+        ports: what holds the copy.
+        parts: the bodies; None: there is one.
+        p: which port.
+        gain: what it resists [Ns/m].
+        work: `mean` is v̂; `rhs` is changed.
+    """
     if parts is None:
         return
     for i in range(work.mean.shape[0]):

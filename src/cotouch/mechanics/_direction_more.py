@@ -20,7 +20,13 @@ _ROUNDED = 0.1
 
 @inner
 def rough(op: Operator, force: BodyForce, state: State) -> float:
-    """Below which energy of the end velocity more looks are of no use [J]."""
+    """Below which energy of the end velocity more looks are of no use [J].
+
+    Args:
+        op: the body's matrices.
+        force: what resists inside the body.
+        state: of the copy.
+    """
     return _ROUNDED * op.firmness * (force.grain + 2.0 * math.sqrt(2.0 * force.grain * abs(state.memory[ENERGY])))
 
 

@@ -52,7 +52,13 @@ class Sought(NamedTuple):
 
 @part
 def begin_search(parts: Parts | None, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Starts from rest, of several bodies those whose groups are not closed."""
+    """Starts from rest, of several bodies those whose groups are not closed.
+
+    Args:
+        parts: the bodies; None: there is one.
+        work: `mean` becomes 0, and `search` is written.
+        lanes: fixes the width of a row.
+    """
     for i in range(work.mean.shape[0]):
         if _is_open(parts, i):
             store(work.mean, i, splat(0.0, lanes), lanes)
@@ -79,6 +85,22 @@ def search(
     lanes: tuple[int, ...],
 ) -> bool:
     """Takes a few more looks.
+
+    Args:
+        op: the body's matrices.
+        force: what resists inside the body.
+        state: of the copy.
+        links: the neighbours' samples.
+        ports: what holds the copy.
+        local_damping: B_i as coefficients over the weights, (weights,).
+        extra_damping: B_e likewise.
+        T: length of the step [s].
+        looks: how many at most, >= 0.
+        work: `mean`, `sought` and `search` are changed.
+        ledger: ITERATIONS is added to.
+        tolerance: of the solver.
+        cap: on its iterations.
+        lanes: fixes the width of a row.
 
     Returns:
         Whether there is nothing more to find.
@@ -157,7 +179,13 @@ def stiffer(work: Workspace) -> float:
 
 @part
 def best_again(parts: Parts | None, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Takes the best direction that was found."""
+    """Takes the best direction that was found.
+
+    Args:
+        parts: the bodies; None: there is one.
+        work: `mean` becomes what `sought` keeps.
+        lanes: fixes the width of a row.
+    """
     for i in range(work.mean.shape[0] if at(work.search, _LEAST) < math.inf else 0):
         if _is_open(parts, i):
             store(work.mean, i, load(work.sought, i, lanes), lanes)
@@ -228,7 +256,14 @@ def _remember(tools: Sought, work: Workspace, lanes: tuple[int, ...]) -> None:
 
 @part
 def combine_kept(parts: Parts | None, tools: Sought, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Goes by changes that are kept as far as least is missed, if what came of them adds up."""
+    """Goes by changes that are kept as far as least is missed, if what came of them adds up.
+
+    Args:
+        parts: the bodies; None: there is one.
+        tools: that are sought with them.
+        work: `mean` and `rhs` are changed.
+        lanes: fixes the width of a row.
+    """
     rows, count = work.mean.shape[0], tools.firm.shape[0]
     for change in range(min(int(at(work.search, _KEPT)), CHANGES)):
         share = _along(work, work.rhs, 0, tools, tools.missed, 0, change, lanes)

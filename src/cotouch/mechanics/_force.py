@@ -102,7 +102,7 @@ def _again(*fields: Any) -> BodyForce:
 LAWS: dict[type, tuple[Callable[..., Any], Callable[..., Any]]] = {
     springs.SpringNetwork: (springs.resist, springs.evaluate),
     cells.CorotatedCells: (cells.resist, cells.evaluate),
-    frame.Frame: (frame.resist, frame.evaluate),
+    frame.FramedBody: (frame.resist, frame.evaluate),
     rigid.Rigid: (rigid.resist, rigid.evaluate),
     **{solid.kind: (tetrahedra.resist, tetrahedra.evaluate) for solid in tetrahedra.SOLIDS.values()},
 }

@@ -82,18 +82,41 @@ def _address(function: Any, takes: tuple[Any, ...]) -> int:
 def no_lean(
     law: Any, memory: Float, x: Float, ahead: Float, rate: Float, T: float, out: Float, lanes: tuple[int, ...]
 ) -> None:
-    """Of a law that gives no tangent."""
+    """Of a law that gives no tangent.
+
+    Args:
+        law: without one.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        T: length of the step [s].
+        out: stays as it is.
+        lanes: fixes the width of a row.
+    """
 
 
 @outlined
 def begin_one(law: Any, memory: Float, behind: int) -> None:
-    """Sets the rotations of one body to none."""
+    """Sets the rotations of one body to none.
+
+    Args:
+        law: of one body.
+        memory: of the copy, (numbers,).
+        behind: as of `forget`.
+    """
     forget(memory, behind)
 
 
 @outlined
 def undo_one(law: Any, memory: Float, behind: int) -> None:
-    """Takes the rotations of one body back to those with which the last evaluation began."""
+    """Takes the rotations of one body back to those with which the last evaluation began.
+
+    Args:
+        law: of one body.
+        memory: of the copy, (numbers,).
+        behind: as of `take_back`.
+    """
     take_back(memory, behind)
 
 
@@ -127,13 +150,35 @@ def _calls(place: int, law: Any, *given: Any) -> Any:
 
 @intrinsic
 def call_resist(typingctx: Any, law: Any, memory: Any, x: Any, ahead: Any, rate: Any, out: Any, lanes: Any) -> Any:
-    """`resist` of a law by its address."""
+    """`resist` of a law by its address.
+
+    Args:
+        typingctx: numba's own.
+        law: compiled, with its address.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        out: (rows, 4), added to [N].
+        lanes: fixes the width of a row.
+    """
     return _calls(_RESIST, law, memory, x, ahead, rate, out, lanes)
 
 
 @intrinsic
 def call_evaluate(typingctx: Any, law: Any, memory: Any, x: Any, ahead: Any, rate: Any, sweeps: Any, lanes: Any) -> Any:
-    """`evaluate` of a law by its address."""
+    """`evaluate` of a law by its address.
+
+    Args:
+        typingctx: numba's own.
+        law: compiled, with its address.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        sweeps: of the search for the nearest rotations, >= 1.
+        lanes: fixes the width of a row.
+    """
     return _calls(_EVALUATE, law, memory, x, ahead, rate, sweeps, lanes)
 
 
@@ -141,17 +186,43 @@ def call_evaluate(typingctx: Any, law: Any, memory: Any, x: Any, ahead: Any, rat
 def call_lean(
     typingctx: Any, law: Any, memory: Any, x: Any, ahead: Any, rate: Any, T: Any, out: Any, lanes: Any
 ) -> Any:
-    """`lean` of a law by its address."""
+    """`lean` of a law by its address.
+
+    Args:
+        typingctx: numba's own.
+        law: compiled, with its address.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        T: length of the step [s].
+        out: added to.
+        lanes: fixes the width of a row.
+    """
     return _calls(_LEAN, law, memory, x, ahead, rate, T, out, lanes)
 
 
 @intrinsic
 def call_begin(typingctx: Any, law: Any, memory: Any, behind: Any) -> Any:
-    """What sets all rotations of a law to none, by its address."""
+    """What sets all rotations of a law to none, by its address.
+
+    Args:
+        typingctx: numba's own.
+        law: compiled, with its address.
+        memory: of the copy, (numbers,).
+        behind: as of `forget`.
+    """
     return _calls(_BEGIN, law, memory, behind)
 
 
 @intrinsic
 def call_undo(typingctx: Any, law: Any, memory: Any, behind: Any) -> Any:
-    """What takes them back, by its address."""
+    """What takes them back, by its address.
+
+    Args:
+        typingctx: numba's own.
+        law: compiled, with its address.
+        memory: of the copy, (numbers,).
+        behind: as of `take_back`.
+    """
     return _calls(_UNDO, law, memory, behind)

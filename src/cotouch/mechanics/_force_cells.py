@@ -114,7 +114,17 @@ def _rotated(spin: Vector, middle: Matrix, h: float) -> Matrix:
 def resist(
     law: CorotatedCells, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]
 ) -> None:
-    """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`."""
+    """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`.
+
+    Args:
+        law: see `CorotatedCells`.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        out: (rows, 4), added to [N].
+        lanes: fixes the width of a row.
+    """
     pull_ties(law, memory, x, ahead, rate, out, lanes)
     count, h, eta = law.corner.shape[0], law.spacing, law.viscosity
     scratch = scratch_row(count)
@@ -189,7 +199,17 @@ def _push(law: CorotatedCells, c: int, n: int, out: Float, k: float, stretch: fl
 def evaluate(
     law: CorotatedCells, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:
-    """Energy at the end of a step, whose rotations it keeps, and the power of the dampers in it."""
+    """Energy at the end of a step, whose rotations it keeps, and the power of the dampers in it.
+
+    Args:
+        law: see `CorotatedCells`.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        sweeps: of the search for the nearest rotations, >= 1.
+        lanes: fixes the width of a row.
+    """
     count, h, eta = law.corner.shape[0], law.spacing, law.viscosity
     scratch = scratch_row(count)
     energy, power = weigh_ties(law, memory, ahead, rate, lanes)

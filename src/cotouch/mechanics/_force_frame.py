@@ -27,7 +27,7 @@ from cotouch.passing import by_address
 
 
 @by_address
-class Frame(NamedTuple):
+class FramedBody(NamedTuple):
     """A linear body in one frame.
 
     Attributes:
@@ -60,7 +60,7 @@ _SWEEPS = 2 * SWEEPS
 
 
 @inner
-def _moment(law: Frame, x: Float, ahead: Float, fraction: float) -> Matrix:
+def _moment(law: FramedBody, x: Float, ahead: Float, fraction: float) -> Matrix:
     """G of the place so far on the way from one to the other."""
     rows = law.rest.shape[0]
     a = b = c = d = e = f = g = h = k = 0.0
@@ -77,7 +77,7 @@ def _moment(law: Frame, x: Float, ahead: Float, fraction: float) -> Matrix:
 
 
 @inner
-def _local(law: Frame, r: Matrix, x: Float, ahead: Float, fraction: float) -> None:
+def _local(law: FramedBody, r: Matrix, x: Float, ahead: Float, fraction: float) -> None:
     """Places in the frame, about the mean."""
     rows = law.rest.shape[0]
     cx = cy = cz = 0.0
@@ -101,7 +101,7 @@ def _local(law: Frame, r: Matrix, x: Float, ahead: Float, fraction: float) -> No
 
 
 @inner
-def _stretch(law: Frame, i: int) -> Vector:
+def _stretch(law: FramedBody, i: int) -> Vector:
     """The stretch Rᵀx - X of a row."""
     j = 4 * i
     return (
@@ -112,12 +112,12 @@ def _stretch(law: Frame, i: int) -> Vector:
 
 
 @inner
-def _image(law: Frame, i: int) -> Vector:
+def _image(law: FramedBody, i: int) -> Vector:
     return at(law.image, 4 * i), at(law.image, 4 * i + 1), at(law.image, 4 * i + 2)
 
 
 @inner
-def _row(law: Frame, values: Float, i: int, strained: bool) -> Vector:
+def _row(law: FramedBody, values: Float, i: int, strained: bool) -> Vector:
     """Row i of K or B times u, or times the field in `image`, by differences between rows."""
     own = _stretch(law, i) if strained else _image(law, i)
     x = y = z = 0.0
@@ -137,7 +137,9 @@ def _row(law: Frame, values: Float, i: int, strained: bool) -> Vector:
 
 
 @inner
-def _give(law: Frame, r: Matrix, values: Float, fraction: float, strained: bool, moment: Matrix, out: Float) -> None:
+def _give(
+    law: FramedBody, r: Matrix, values: Float, fraction: float, strained: bool, moment: Matrix, out: Float
+) -> None:
     """Adds a share of the force of K on u, or of B on `image`, with what the turning of the frame adds."""
     rows = law.rest.shape[0]
     turn = (0.0, 0.0, 0.0)
@@ -161,7 +163,7 @@ def _give(law: Frame, r: Matrix, values: Float, fraction: float, strained: bool,
 
 
 @inner
-def _strain_rate(law: Frame, r: Matrix, moment: Matrix, rate: Float) -> None:
+def _strain_rate(law: FramedBody, r: Matrix, moment: Matrix, rate: Float) -> None:
     """Writes into `image` the velocity in the frame, less the frame's own turning."""
     rows = law.rest.shape[0]
     tx = ty = tz = 0.0
@@ -184,13 +186,25 @@ def _strain_rate(law: Frame, r: Matrix, moment: Matrix, rate: Float) -> None:
 
 
 @inner
-def _turn(law: Frame, r: Matrix, moment: Matrix, sweeps: int) -> Matrix:
+def _turn(law: FramedBody, r: Matrix, moment: Matrix, sweeps: int) -> Matrix:
     return nearest(r, moment, sweeps) if law.turning == 1 else r
 
 
 @outlined
-def resist(law: Frame, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]) -> None:
-    """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`."""
+def resist(
+    law: FramedBody, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]
+) -> None:
+    """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`.
+
+    Args:
+        law: see `FramedBody`.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        out: (rows, 4), added to [N].
+        lanes: fixes the width of a row.
+    """
     before = columns(memory, FIRST)
     for end in range(2):
         fraction = 1.0 * end
@@ -208,9 +222,19 @@ def resist(law: Frame, memory: Float, x: Float, ahead: Float, rate: Float, out: 
 
 @outlined
 def evaluate(
-    law: Frame, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
+    law: FramedBody, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:
-    """Energy at the end of a step, whose rotation it keeps, and the power of the dampers in it."""
+    """Energy at the end of a step, whose rotation it keeps, and the power of the dampers in it.
+
+    Args:
+        law: see `FramedBody`.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        sweeps: of the search for the nearest rotations, >= 1.
+        lanes: fixes the width of a row.
+    """
     before = columns(memory, FIRST)
     rows = law.rest.shape[0]
     energy, power = 0.0, 0.0

@@ -23,7 +23,12 @@ def memory_size(rotations: int) -> int:
 
 
 def fresh_memory(size: int, more: int = 0) -> Float:
-    """A memory of so many numbers in which nothing has turned, and so many more, which are 0."""
+    """A memory of so many numbers in which nothing has turned, and so many more, which are 0.
+
+    Args:
+        size: how many, as of `memory_size`.
+        more: how many behind them, >= 0.
+    """
     rows = np.zeros((size // 4, 4))
     turns = rows[FIRST : max(rows.shape[0] - _SCRATCH, FIRST)].reshape(-1, 3, 4)
     turns[:, [0, 1, 2], [0, 1, 2]] = 1.0
@@ -32,7 +37,13 @@ def fresh_memory(size: int, more: int = 0) -> Float:
 
 @inner
 def is_cut(memory: Float, first: int, element: int) -> bool:
-    """Whether an element was cut; its marks begin at a place, or there are none."""
+    """Whether an element was cut; its marks begin at a place, or there are none.
+
+    Args:
+        memory: of the copy, (numbers,).
+        first: where its marks begin; negative: nothing can be cut.
+        element: which one.
+    """
     return first >= 0 and at(memory, first + element) != 0.0
 
 
@@ -78,7 +89,12 @@ def take_back(memory: Float, behind: int) -> None:
 
 @inner
 def columns(memory: Float, row: int) -> Matrix:
-    """The matrix whose columns are three rows of the memory."""
+    """The matrix whose columns are three rows of the memory.
+
+    Args:
+        memory: of the copy, (numbers,).
+        row: the first of the three.
+    """
     k = 4 * row
     return (
         at(memory, k),
@@ -95,7 +111,13 @@ def columns(memory: Float, row: int) -> Matrix:
 
 @inner
 def keep(memory: Float, row: int, matrix: Matrix) -> None:
-    """Writes what `columns` reads."""
+    """Writes what `columns` reads.
+
+    Args:
+        memory: of the copy, (numbers,).
+        row: the first of the three.
+        matrix: what they become.
+    """
     k = 4 * row
     put(memory, k, matrix[0])
     put(memory, k + 4, matrix[1])

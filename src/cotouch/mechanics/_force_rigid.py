@@ -109,7 +109,17 @@ def _power(stress: Matrix, strain: Matrix) -> float:
 
 @outlined
 def resist(law: Rigid, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]) -> None:
-    """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`."""
+    """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`.
+
+    Args:
+        law: see `Rigid`.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        out: (rows, 4), added to [N].
+        lanes: fixes the width of a row.
+    """
     for e in range(law.corner.shape[0]):
         frame, h, h1 = _frame(law, e), _moved(law, e, x), _moved(law, e, ahead)
         middle = mixture(1.0, frame, 0.5, mixture(1.0, h, 1.0, h1))
@@ -130,7 +140,17 @@ def resist(law: Rigid, memory: Float, x: Float, ahead: Float, rate: Float, out: 
 def evaluate(
     law: Rigid, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:
-    """Energy at the end of a step, and the power of the dampers in it."""
+    """Energy at the end of a step, and the power of the dampers in it.
+
+    Args:
+        law: see `Rigid`.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        sweeps: nothing is sought.
+        lanes: fixes the width of a row.
+    """
     energy, power = 0.0, 0.0
     for e in range(law.corner.shape[0]):
         frame, h1 = _frame(law, e), _moved(law, e, ahead)

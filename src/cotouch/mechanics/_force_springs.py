@@ -60,7 +60,17 @@ def _sum(a: Vector, b: Vector) -> Vector:
 def resist(
     law: SpringNetwork, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]
 ) -> None:
-    """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`."""
+    """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`.
+
+    Args:
+        law: see `SpringNetwork`.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        out: (rows, 4), added to [N].
+        lanes: fixes the width of a row.
+    """
     count = law.start.shape[0]
     for first in range(0, count, 4):
         b, e = ROWS * (first // 4), elements(first, count - 1)
@@ -90,7 +100,17 @@ def resist(
 def evaluate(
     law: SpringNetwork, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:
-    """Energy at the end of a step, and the power of the dampers in it."""
+    """Energy at the end of a step, and the power of the dampers in it.
+
+    Args:
+        law: see `SpringNetwork`.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        sweeps: nothing is sought.
+        lanes: fixes the width of a row.
+    """
     energy, power = splat(0.0, FOUR), splat(0.0, FOUR)
     count = law.start.shape[0]
     for first in range(0, count, 4):

@@ -203,7 +203,7 @@ def _neo_hookean_energy(law: Any, lam: float, mu: float, h1: Matrix, memory: Flo
     return mu * rest + 0.5 * (lam + mu) * d * d
 
 
-class Solid(NamedTuple):
+class SolidLaw(NamedTuple):
     """A law of tetrahedra.
 
     Attributes:
@@ -222,19 +222,39 @@ class Solid(NamedTuple):
 
 # The registry, by the names of `cotouch.body.Material`; λ and μ come times the volume.
 SOLIDS = {
-    "corotated": Solid(CorotatedTetrahedra, _corotated_stress, _corotated_energy, turns=True),
-    "st-venant-kirchhoff": Solid(StVenantKirchhoff, _kirchhoff_stress, _kirchhoff_energy),
-    "neo-hookean": Solid(NeoHookean, _neo_hookean_stress, _neo_hookean_energy),
+    "corotated": SolidLaw(CorotatedTetrahedra, _corotated_stress, _corotated_energy, turns=True),
+    "st-venant-kirchhoff": SolidLaw(StVenantKirchhoff, _kirchhoff_stress, _kirchhoff_energy),
+    "neo-hookean": SolidLaw(NeoHookean, _neo_hookean_stress, _neo_hookean_energy),
 }
 
 
 def stress_of(law: Any, lam: float, mu: float, h: Matrix, h1: Matrix, memory: Float, e: Quad) -> Matrix:
-    """Mean first Piola stress between two gradients of displacement, times the volume [J]."""
+    """Mean first Piola stress between two gradients of displacement, times the volume [J].
+
+    Args:
+        law: of tetrahedra, see `SolidLaw`.
+        lam: λ times the volume, of each of four elements [J].
+        mu: μ likewise.
+        h: gradients before the step.
+        h1: after it.
+        memory: of the copy, (numbers,).
+        e: which elements.
+    """
     raise NotImplementedError
 
 
 def energy_of(law: Any, lam: float, mu: float, h1: Matrix, memory: Float, e: Quad, sweeps: int) -> float:
-    """Energy [J]."""
+    """Energy [J].
+
+    Args:
+        law: of tetrahedra, see `SolidLaw`.
+        lam: λ times the volume, of each of four elements [J].
+        mu: μ likewise.
+        h1: gradients after the step.
+        memory: of the copy, (numbers,).
+        e: which elements.
+        sweeps: of the search for the nearest rotations, >= 1.
+    """
     raise NotImplementedError
 
 
@@ -306,7 +326,17 @@ def _corners(law: Any, e: Quad) -> tuple[Quad, Quad, Quad, Quad]:
 
 @outlined
 def resist(law: Any, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]) -> None:
-    """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`."""
+    """Adds the mean force between two places and the damping; see `cotouch.mechanics.BodyForce`.
+
+    Args:
+        law: of tetrahedra, see `SolidLaw`.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        out: (rows, 4), added to [N].
+        lanes: fixes the width of a row.
+    """
     pull_ties(law, memory, x, ahead, rate, out, lanes)
     count = law.volume.shape[0]
     for first in range(0, count, 4):
@@ -339,7 +369,17 @@ def _sum(a: Rows, b: Rows, c: Rows) -> Rows:
 def evaluate(
     law: Any, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:
-    """Energy at the end of a step, whose rotations it keeps, and the power of the dampers in it."""
+    """Energy at the end of a step, whose rotations it keeps, and the power of the dampers in it.
+
+    Args:
+        law: of tetrahedra, see `SolidLaw`.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        sweeps: of the search for the nearest rotations, >= 1.
+        lanes: fixes the width of a row.
+    """
     tied, damped = weigh_ties(law, memory, ahead, rate, lanes)
     energy, power = splat(0.0, FOUR), splat(0.0, FOUR)
     count = law.volume.shape[0]

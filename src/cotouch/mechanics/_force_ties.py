@@ -33,7 +33,15 @@ def pull_ties(law: Any, memory: Float, x: Float, ahead: Float, rate: Float, out:
 
 @part
 def weigh_ties(law: Any, memory: Float, ahead: Float, rate: Float, lanes: tuple[int, ...]) -> tuple[float, float]:
-    """What all ties hold at a place [J], and the power of their dampers [W]; see `pull_ties`."""
+    """What all ties hold at a place [J], and the power of their dampers [W]; see `pull_ties`.
+
+    Args:
+        law: with ties.
+        memory: of the copy, (numbers,).
+        ahead: displacements of the rows, (rows, 4) [m].
+        rate: mean velocity, likewise [m/s].
+        lanes: fixes the width of a row.
+    """
     energy, power = 0.0, 0.0
     for s in range(law.tie.shape[0]):
         if is_cut(memory, law.tie_cut, at(law.tie_face, s)):

@@ -243,7 +243,17 @@ def _into(law: Together, b: int, field: Float, out: Float) -> None:
 def resist_together(
     law: Together, memory: Float, x: Float, ahead: Float, rate: Float, out: Float, lanes: tuple[int, ...]
 ) -> None:
-    """Adds the mean forces of all bodies between two places and their damping; see `cotouch.mechanics.BodyForce`."""
+    """Adds the mean forces of all bodies between two places and their damping; see `cotouch.mechanics.BodyForce`.
+
+    Args:
+        law: see `Together`.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        out: (rows, 4), added to [N].
+        lanes: fixes the width of a row.
+    """
     for b in range(law.kind.shape[0]):
         begins, r = at(law.first, b), 9 * b
         count = at(law.first, b + 1) - begins
@@ -276,7 +286,17 @@ def resist_together(
 def evaluate_together(
     law: Together, memory: Float, x: Float, ahead: Float, rate: Float, sweeps: int, lanes: tuple[int, ...]
 ) -> tuple[float, float]:
-    """Energy of all bodies at the end of a step, and the power of their dampers in it; of each goes to `energy`."""
+    """Energy of all bodies at the end of a step, and the power of their dampers in it; of each goes to `energy`.
+
+    Args:
+        law: see `Together`.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        sweeps: of the search for the nearest rotations, >= 1.
+        lanes: fixes the width of a row.
+    """
     energy, power = 0.0, 0.0
     for b in range(law.kind.shape[0]):
         count = at(law.first, b + 1) - at(law.first, b)
@@ -304,7 +324,18 @@ def evaluate_together(
 def lean_together(
     law: Together, memory: Float, x: Float, ahead: Float, rate: Float, T: float, out: Float, lanes: tuple[int, ...]
 ) -> None:
-    """Adds how the forces of bodies of few rows grow with the rate; see `cotouch.mechanics.BodyForce`."""
+    """Adds how the forces of bodies of few rows grow with the rate; see `cotouch.mechanics.BodyForce`.
+
+    Args:
+        law: see `Together`.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        rate: mean velocity, likewise [m/s].
+        T: length of the step [s].
+        out: added to, as of `lean`.
+        lanes: fixes the width of a row.
+    """
     for b in range(law.kind.shape[0]):
         begins, r, wide = at(law.first, b), 9 * b, law.tangent.shape[0]
         if at(law.rigid, at(law.row, begins)) < 0:

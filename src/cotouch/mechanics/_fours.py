@@ -35,13 +35,25 @@ def blocks(values: Float, weighs: Sequence[int]) -> Float:
 
 @inner
 def elements(e: int, last: int) -> Quad:
-    """Four elements from one on."""
+    """Four elements from one on.
+
+    Args:
+        e: the first.
+        last: the last that there is.
+    """
     return e, min(e + 1, last), min(e + 2, last), min(e + 3, last)
 
 
 @inner
 def corner_rows(corner: Int, width: int, e: Quad, n: int) -> Quad:
-    """Rows of the n-th corners of four elements that have so many."""
+    """Rows of the n-th corners of four elements that have so many.
+
+    Args:
+        corner: rows of all corners, element by element.
+        width: corners of an element.
+        e: which elements.
+        n: which corner.
+    """
     return (
         at(corner, width * e[0] + n),
         at(corner, width * e[1] + n),
@@ -52,7 +64,12 @@ def corner_rows(corner: Int, width: int, e: Quad, n: int) -> Quad:
 
 @inner
 def coordinates(field: Float, i: Quad) -> Vector:
-    """Four rows of a field: their first, second and third numbers."""
+    """Four rows of a field: their first, second and third numbers.
+
+    Args:
+        field: (rows, 4).
+        i: which rows.
+    """
     a, b, c, d = four_rows(field, i)
     x, y, z, _ = transposed(a, b, c, d)
     return x, y, z
@@ -60,20 +77,36 @@ def coordinates(field: Float, i: Quad) -> Vector:
 
 @inner
 def four_rows(field: Float, i: Quad) -> Rows:
-    """Four rows of a field."""
+    """Four rows of a field.
+
+    Args:
+        field: (rows, 4).
+        i: which rows.
+    """
     return load(field, i[0], FOUR), load(field, i[1], FOUR), load(field, i[2], FOUR), load(field, i[3], FOUR)
 
 
 @inner
 def apart(a: Rows, b: Rows) -> Vector:
-    """Differences of four pairs of rows: their first, second and third numbers."""
+    """Differences of four pairs of rows: their first, second and third numbers.
+
+    Args:
+        a: from these.
+        b: to these.
+    """
     x, y, z, _ = transposed(b[0] - a[0], b[1] - a[1], b[2] - a[2], b[3] - a[3])
     return x, y, z
 
 
 @inner
 def kept(memory: Float, cut: int, e: Quad) -> float:
-    """1 for each of four elements, 0 if it was cut."""
+    """1 for each of four elements, 0 if it was cut.
+
+    Args:
+        memory: of the copy, (numbers,).
+        cut: where marks of cut elements begin; negative: nothing can be cut.
+        e: which elements.
+    """
     if cut < 0:
         return splat(1.0, FOUR)
     return four(
@@ -86,7 +119,13 @@ def kept(memory: Float, cut: int, e: Quad) -> float:
 
 @inner
 def rotations(memory: Float, first: int, e: Quad) -> Matrix:
-    """Rotations of four elements; the columns of each are three rows of the memory."""
+    """Rotations of four elements; the columns of each are three rows of the memory.
+
+    Args:
+        memory: of the copy, (numbers,).
+        first: row where they begin.
+        e: which elements.
+    """
     a, b, c, d = first + 3 * e[0], first + 3 * e[1], first + 3 * e[2], first + 3 * e[3]
     x, y, z = coordinates(memory, (a, b, c, d))
     u, v, w = coordinates(memory, (a + 1, b + 1, c + 1, d + 1))
@@ -96,7 +135,14 @@ def rotations(memory: Float, first: int, e: Quad) -> Matrix:
 
 @inner
 def keep_before(memory: Float, first: int, second: int, e: Quad) -> None:
-    """Copies what `rotations` reads to rows behind it."""
+    """Copies what `rotations` reads to rows behind it.
+
+    Args:
+        memory: of the copy, (numbers,).
+        first: row where they begin.
+        second: row where those behind begin.
+        e: which elements.
+    """
     for column in range(3):
         a, b = first + column, second + column
         i, j = (a + 3 * e[0], a + 3 * e[1], a + 3 * e[2], a + 3 * e[3]), b - a
@@ -105,7 +151,14 @@ def keep_before(memory: Float, first: int, second: int, e: Quad) -> None:
 
 @inner
 def keep_rotations(memory: Float, first: int, e: Quad, m: Matrix) -> None:
-    """Writes what `rotations` reads."""
+    """Writes what `rotations` reads.
+
+    Args:
+        memory: of the copy, (numbers,).
+        first: row where they begin.
+        e: which elements.
+        m: what they become.
+    """
     a, b, c, d = first + 3 * e[0], first + 3 * e[1], first + 3 * e[2], first + 3 * e[3]
     _keep(memory, (a, b, c, d), as_rows((m[0], m[3], m[6])))
     _keep(memory, (a + 1, b + 1, c + 1, d + 1), as_rows((m[1], m[4], m[7])))
@@ -128,7 +181,13 @@ def as_rows(coordinates: Vector) -> Rows:
 
 @inner
 def add_rows(out: Float, i: Quad, rows: Rows) -> None:
-    """Adds to four rows, one after the other: some may be the same."""
+    """Adds to four rows, one after the other: some may be the same.
+
+    Args:
+        out: (rows, 4), changed in place.
+        i: which rows.
+        rows: what is added to each.
+    """
     store(out, i[0], load(out, i[0], FOUR) + rows[0], FOUR)
     store(out, i[1], load(out, i[1], FOUR) + rows[1], FOUR)
     store(out, i[2], load(out, i[2], FOUR) + rows[2], FOUR)
@@ -137,7 +196,13 @@ def add_rows(out: Float, i: Quad, rows: Rows) -> None:
 
 @inner
 def take_rows(out: Float, i: Quad, rows: Rows) -> None:
-    """Takes off four rows, likewise."""
+    """Takes off four rows, likewise.
+
+    Args:
+        out: (rows, 4), changed in place.
+        i: which rows.
+        rows: what is taken off each.
+    """
     store(out, i[0], load(out, i[0], FOUR) - rows[0], FOUR)
     store(out, i[1], load(out, i[1], FOUR) - rows[1], FOUR)
     store(out, i[2], load(out, i[2], FOUR) - rows[2], FOUR)

@@ -8,8 +8,9 @@ from cotouch.mechanics._absent import is_held_away
 from cotouch.mechanics._contact_near import touched
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._debris import is_debris
+from cotouch.mechanics._fit import Fit, place_vertex
 from cotouch.mechanics._kernel import part
-from cotouch.mechanics._surface import Fit, Surface, place_vertex
+from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import MOST_HELD, MOST_HELD_MODAL, Tools
 from cotouch.mechanics._vector import at
 
@@ -36,7 +37,15 @@ def held_place(hold_row: Int, rest: Float, place: Float, hold: int, axis: int, p
 
 @part
 def held_rate(hold_row: Int, shape: Float, hold: int, axis: int, mean: Float) -> float:
-    """Mean velocity of something held along an axis [m/s]."""
+    """Mean velocity of something held along an axis [m/s].
+
+    Args:
+        hold_row: rows of each thing that can be held, (holds, axes), or (holds, 0) of a modal body.
+        shape: of a modal body: how each row moves each of them, (holds * rows, 4).
+        hold: which of them.
+        axis: 0 to 2.
+        mean: mean velocity of the rows, (rows, width) [m/s].
+    """
     axes, rows = hold_row.shape[1], mean.shape[0]
     if axes == 1:
         return mean[hold_row[hold, 0], axis]
@@ -60,7 +69,18 @@ def take(
     debris: Int,
     lanes: tuple[int, ...],
 ) -> None:
-    """Takes hold of the nodes within the tool's radius, or of the nearest, with springs that start relaxed."""
+    """Takes hold of the nodes within the tool's radius, or of the nearest, with springs that start relaxed.
+
+    Args:
+        surface: the skin.
+        fit: where the skin is.
+        tools: the proxies; `hold`, `offset` and `held` are written.
+        t: which of them.
+        position: displacements of the rows, (rows, width) [m].
+        memory: of the copy, (numbers,).
+        debris: as of `Operator`, (rows,) or (0,).
+        lanes: fixes the width of a row.
+    """
     hold_row, rest, hold_rest, moved = surface.hold_row, surface.rest, surface.hold_rest, fit.place
     hold_of, offset, centre = tools.hold, tools.offset, tools.place
     modal, base = hold_row.shape[1] == 0, t * MOST_HELD
@@ -170,7 +190,15 @@ def feel_grasp(
 
 @part
 def hold_energy(work: ContactWork, tools: Tools, t: int, time: float, T: float) -> tuple[float, float]:
-    """Energy in a grasp that moved for some time, of a step's length T, and what its dampers lost [J]."""
+    """Energy in a grasp that moved for some time, of a step's length T, and what its dampers lost [J].
+
+    Args:
+        work: `held` says how its springs move.
+        tools: the proxies.
+        t: which tool.
+        time: for how long, 0 to T [s].
+        T: length of the step [s].
+    """
     share = time / T
     start, along, square = work.held[t, 0], work.held[t, 1], work.held[t, 2]
     energy = 0.5 * tools.grip_stiffness[t] * max(start + time * (2.0 * along + time * square), 0.0)

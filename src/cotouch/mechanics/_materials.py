@@ -12,7 +12,7 @@ from cotouch.errors import UnsupportedError
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._force_call import called
 from cotouch.mechanics._force_cells import CorotatedCells
-from cotouch.mechanics._force_frame import Frame
+from cotouch.mechanics._force_frame import FramedBody
 from cotouch.mechanics._force_memory import memory_size
 from cotouch.mechanics._force_rigid import Rigid
 from cotouch.mechanics._force_springs import SpringNetwork
@@ -28,6 +28,11 @@ from cotouch.mechanics._tool_bodies import rigid_rows
 
 def outline_of(body: Body, material: Material, *, tangent: bool = True) -> Body:
     """The linear body, in the node form, that gives a step's direction: masses, outer springs, a scalar bound on K.
+
+    Args:
+        body: with the material.
+        material: of the body.
+        tangent: whether what is rigid may give its own tangent.
 
     Raises:
         UnsupportedError: masses or what holds the body differ between axes.
@@ -113,6 +118,10 @@ def scalar_bound(matrix: sp.csr_array, dimension: int) -> sp.csr_array:
 
     `xᵀ K x = -½ Σ (x_i - x_j)ᵀ K_ij (x_i - x_j)`, so the largest eigenvalue of each block `-sym K_ij` is a spring that
     bounds it.
+
+    Args:
+        matrix: K, symmetric, (n * dimension, n * dimension) [N/m].
+        dimension: axes of a node, 1 to 3.
     """
     blocks = sp.bsr_array(matrix, blocksize=(dimension, dimension))
     nodes = matrix.shape[0] // dimension
@@ -289,7 +298,7 @@ def lame_of(material: Material) -> Float:
     return np.ascontiguousarray(np.stack([lam, young / (2.0 * (1.0 + poisson)), eta], axis=1))
 
 
-def _frame(body: Body, material: Material, row: Int, rest: Float) -> Frame:
+def _frame(body: Body, material: Material, row: Int, rest: Float) -> FramedBody:
     """The body's own matrices, off the diagonal and in the kernels' order."""
     nodes, dimension = rest.shape[0], body.dimension
     order = np.argsort(row)
@@ -309,7 +318,7 @@ def _frame(body: Body, material: Material, row: Int, rest: Float) -> Frame:
         mass = body.mass.diagonal().reshape(nodes, dimension)[:, 0]
         lever = mass[:, None] * (rest - np.average(rest, axis=0, weights=mass))
     pointer = np.concatenate([[0], np.cumsum(np.bincount(place[0], minlength=nodes))]).astype(np.int32)
-    return Frame(
+    return FramedBody(
         turning=int(material.model == "floating"),
         damped=int(bool(np.any(damping))),
         pointer=pointer,

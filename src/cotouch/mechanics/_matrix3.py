@@ -18,7 +18,12 @@ _FLAT = 1e-12
 
 @inner
 def product(a: Matrix, b: Matrix) -> Matrix:
-    """`A B`."""
+    """`A B`.
+
+    Args:
+        a: A, row by row.
+        b: B likewise.
+    """
     return (
         a[0] * b[0] + a[1] * b[3] + a[2] * b[6],
         a[0] * b[1] + a[1] * b[4] + a[2] * b[7],
@@ -40,7 +45,12 @@ def transpose(a: Matrix) -> Matrix:
 
 @inner
 def transposed_product(a: Matrix, b: Matrix) -> Matrix:
-    """`Aᵀ B`."""
+    """`Aᵀ B`.
+
+    Args:
+        a: A, row by row.
+        b: B likewise.
+    """
     return product(transpose(a), b)
 
 
@@ -53,7 +63,14 @@ def symmetric(a: Matrix) -> Matrix:
 
 @inner
 def mixture(p: float, a: Matrix, q: float, b: Matrix) -> Matrix:
-    """`p A + q B`."""
+    """`p A + q B`.
+
+    Args:
+        p: a number.
+        a: A, row by row.
+        q: a number.
+        b: B likewise.
+    """
     return (
         p * a[0] + q * b[0],
         p * a[1] + q * b[1],
@@ -69,19 +86,34 @@ def mixture(p: float, a: Matrix, q: float, b: Matrix) -> Matrix:
 
 @inner
 def diagonal(a: Matrix, q: float) -> Matrix:
-    """`A + q I`."""
+    """`A + q I`.
+
+    Args:
+        a: A, row by row.
+        q: a number.
+    """
     return a[0] + q, a[1], a[2], a[3], a[4] + q, a[5], a[6], a[7], a[8] + q
 
 
 @inner
 def scaled(p: float, a: Matrix) -> Matrix:
-    """`p A`."""
+    """`p A`.
+
+    Args:
+        p: a number.
+        a: A, row by row.
+    """
     return p * a[0], p * a[1], p * a[2], p * a[3], p * a[4], p * a[5], p * a[6], p * a[7], p * a[8]
 
 
 @inner
 def contraction(a: Matrix, b: Matrix) -> float:
-    """`A : B`."""
+    """`A : B`.
+
+    Args:
+        a: A, row by row.
+        b: B likewise.
+    """
     return (
         (a[0] * b[0] + a[1] * b[1] + a[2] * b[2])
         + (a[3] * b[3] + a[4] * b[4] + a[5] * b[5])
@@ -107,7 +139,12 @@ def cofactor(a: Matrix) -> Matrix:
 
 @inner
 def times(a: Matrix, b: Vector) -> Vector:
-    """`A b`."""
+    """`A b`.
+
+    Args:
+        a: A, row by row.
+        b: a vector.
+    """
     return (
         a[0] * b[0] + a[1] * b[1] + a[2] * b[2],
         a[3] * b[0] + a[4] * b[1] + a[5] * b[2],
@@ -117,7 +154,12 @@ def times(a: Matrix, b: Vector) -> Vector:
 
 @inner
 def transposed_times(a: Matrix, b: Vector) -> Vector:
-    """`Aᵀ b`."""
+    """`Aᵀ b`.
+
+    Args:
+        a: A, row by row.
+        b: a vector.
+    """
     return (
         a[0] * b[0] + a[3] * b[1] + a[6] * b[2],
         a[1] * b[0] + a[4] * b[1] + a[7] * b[2],
@@ -127,13 +169,23 @@ def transposed_times(a: Matrix, b: Vector) -> Vector:
 
 @inner
 def cross(a: Vector, b: Vector) -> Vector:
-    """`a × b`."""
+    """`a × b`.
+
+    Args:
+        a: a vector.
+        b: likewise.
+    """
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
 @inner
 def solved(a: Matrix, b: Vector) -> Vector:
-    """`A⁻¹ b` for a symmetric matrix; where A is singular or indefinite, `b` over twice its size: a safe step."""
+    """`A⁻¹ b` for a symmetric matrix; where A is singular or indefinite, `b` over twice its size: a safe step.
+
+    Args:
+        a: A, row by row, symmetric.
+        b: a vector.
+    """
     c = cofactor(a)
     determinant = a[0] * c[0] + a[1] * c[1] + a[2] * c[2]
     bulk = size(a[0]) + size(a[4]) + size(a[8])

@@ -1,11 +1,10 @@
 """What bodies do to each other where their skins meet, and what each of them has of a step, as the kernels want it."""
 
-import math
 from dataclasses import dataclass
 from typing import NamedTuple, final
 
 from cotouch.arrays import Float, Int
-from cotouch.errors import BodyError
+from cotouch.mechanics._pressing_checks import check_pressing
 from cotouch.passing import by_address
 
 
@@ -33,15 +32,7 @@ class Between:
     own: bool = False
 
     def __post_init__(self) -> None:
-        for name, least in (("stiffness", "above"), ("loss", "at least"), ("friction", "at least")):
-            value = getattr(self, name)
-            if not (math.isfinite(value) and (value > 0.0 or (value == 0.0 and least == "at least"))):
-                raise BodyError(f"{name} between bodies is {value:g}; it must be a finite number {least} 0")
-        if self.kinetic is not None and not 0.0 <= self.kinetic <= self.friction:
-            raise BodyError(
-                f"kinetic friction between bodies is {self.kinetic:g}; it must be between 0 and friction, "
-                f"{self.friction:g}"
-            )
+        check_pressing(self.stiffness, self.loss, self.friction, self.kinetic, " between bodies")
 
 
 @by_address

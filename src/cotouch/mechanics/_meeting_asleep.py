@@ -20,7 +20,12 @@ _SURELY, _GRAIN = 1.0 + 1e-9, 1e-13
 
 @inner
 def is_last(m: Meeting, e: int) -> bool:
-    """Whether an entry is the last of its point, which has one for each body that it may meet."""
+    """Whether an entry is the last of its point, which has one for each body that it may meet.
+
+    Args:
+        m: the bodies that meet.
+        e: which entry.
+    """
     return e + 1 == at(m.entries, 1) or at(m.point, e + 1) != at(m.point, e)
 
 
@@ -49,7 +54,13 @@ def doze(m: Meeting, memory: Float, stretches: int) -> None:
 
 @part
 def wake(m: Meeting, memory: Float, stretches: int) -> None:
-    """Nothing is asleep any more; see `doze`."""
+    """Nothing is asleep any more; see `doze`.
+
+    Args:
+        m: the bodies that meet.
+        memory: of the copy, in place.
+        stretches: where in it stretches of points in other bodies begin, as this step leaves them.
+    """
     found = 0
     for e in range(at(m.entries, 1)):
         found += 1 if at(m.began, (e, 0)) > 0.0 else 0
@@ -60,14 +71,28 @@ def wake(m: Meeting, memory: Float, stretches: int) -> None:
 
 @inner
 def appears(m: Meeting, e: int) -> bool:
-    """Whether a point that was outside, or asleep, is deeper inside than the motion could bring it."""
+    """Whether a point that was outside, or asleep, is deeper inside than the motion could bring it.
+
+    Args:
+        m: the bodies that meet.
+        e: which entry.
+    """
     most = 2.0 * m.lever * at(m.bound, 1) * _SURELY + _GRAIN * m.lever
     return at(m.began, (e, 0)) <= 0.0 and at(m.ended, (e, 0)) - at(m.began, (e, 0)) > most
 
 
 @part
 def around(m: Meeting, place: Float, body: int, row: int, least: Float, most: Float) -> None:
-    """Box around a body."""
+    """Box around a body.
+
+    Args:
+        m: the bodies that meet.
+        place: of the vertices, (V, 4) [m].
+        body: which one.
+        row: of the result.
+        least: result: lowest corners, (rows, 3 or more) [m].
+        most: result: highest corners, likewise.
+    """
     for a in range(3):
         low, high = math.inf, -math.inf
         if m.hidden.shape[0] == 0:
@@ -96,6 +121,13 @@ def beyond(m: Meeting, e: int, x: float, y: float, z: float) -> bool:
 
     Points that are out of that are not looked for. It is worked out only for those that are not well within the box
     where the step begins.
+
+    Args:
+        m: the bodies that meet.
+        e: which entry.
+        x: of the point [m].
+        y: likewise.
+        z: likewise.
     """
     b = at(m.other, e)
     if b == at(m.part, at(m.point, e)):

@@ -12,7 +12,7 @@ import math
 from cotouch.arrays import Float
 from cotouch.mechanics._kernel import block, inner, part
 from cotouch.mechanics._meeting import Meeting
-from cotouch.mechanics._meeting_asleep import is_last, wake
+from cotouch.mechanics._meeting_asleep import is_last
 from cotouch.mechanics._meeting_look import gather, make_ready, point_at
 from cotouch.mechanics._meeting_near import FAR_SIDE, crossing, follow
 from cotouch.mechanics._meeting_stretch import mark_of, put_within, stretch_in
@@ -41,7 +41,15 @@ def begin_work(m: Meeting | None) -> None:
 
 @inner
 def book_work(m: Meeting | None, p: int, work: float, flow: float, passed: bool) -> None:
-    """What an obstacle did on a point, how much energy went to and fro [J], and whether the point passed it."""
+    """What an obstacle did on a point, how much energy went to and fro [J], and whether the point passed it.
+
+    Args:
+        m: the bodies that meet; None: there is one.
+        p: which point.
+        work: done on it [J].
+        flow: that went to and fro, >= 0 [J].
+        passed: whether it did.
+    """
     if m is not None:
         _book(m, at(m.part, p), work, flow, passed)
 
@@ -143,6 +151,16 @@ def press_bodies(
 ) -> tuple[float, float]:
     """Takes off `out` the mean forces between bodies; `hold` gets what resists there. See `press_world`.
 
+    Args:
+        world: obstacles and points; `hold` and `told` are written.
+        m: the bodies that meet; None: there is one.
+        firmness: what the forces are scaled by.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        T: length of the step [s].
+        out: (rows, 4), taken off [N].
+
     Returns:
         Square of what forces changed by since the look before, and of the forces [N²].
     """
@@ -228,7 +246,16 @@ def _couple(world: World, m: Meeting, e: int, f: int, by: Resists) -> None:
 def weigh_bodies(
     world: World, m: Meeting | None, memory: Float, x: Float, ahead: Float, T: float
 ) -> tuple[float, float, bool]:
-    """What bodies hold between them after a motion and lost in it, and whether a point passed; see `weigh_world`."""
+    """What bodies hold between them after a motion and lost in it, and whether a point passed; see `weigh_world`.
+
+    Args:
+        world: obstacles and points.
+        m: the bodies that meet; None: there is one.
+        memory: of the copy, in place.
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+        T: length of the step [s].
+    """
     if m is None:
         return 0.0, 0.0, False
     make_ready(world, m, memory, x, ahead)
@@ -332,24 +359,6 @@ def _side(m: Meeting, f: int, a: int) -> float:
     na, nb, nc = ub * vc - uc * vb, uc * va - ua * vc, ua * vb - ub * va
     size = math.sqrt(na * na + nb * nb + nc * nc)
     return na / size if size > 0.0 else 0.0
-
-
-@part
-def settle_bodies(world: World, m: Meeting | None, memory: Float, x: Float) -> float:
-    """What bodies hold between them where the copy is, without friction [J]."""
-    if m is None:
-        return 0.0
-    gather(world, m, memory, x, 0.0)
-    put(m.entries, 0, 0)
-    energy = 0.0
-    for e in range(at(m.entries, 1)):
-        deep = at(m.began, (e, 0))
-        if deep > 0.0:
-            p = at(m.point, e)
-            firm = at(m.stiffness, (at(m.part, p), at(m.other, e)))
-            energy += 0.5 * firm * at(world.area, p) * at(world.there, p) * deep * deep
-    wake(m, memory, world.first + 4 * (world.told.shape[0] + world.kind.shape[0] * world.area.shape[0]))
-    return energy
 
 
 @block

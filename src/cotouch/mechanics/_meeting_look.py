@@ -7,7 +7,7 @@ import math
 from cotouch.arrays import Float
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Meeting
-from cotouch.mechanics._meeting_asleep import around, doze
+from cotouch.mechanics._meeting_asleep import around, doze, wake
 from cotouch.mechanics._meeting_near import FAR_SIDE, collect, is_hidden, search
 from cotouch.mechanics._vector import at, put
 from cotouch.mechanics._world import World
@@ -23,7 +23,13 @@ _GENEROUS = 4.0
 
 @inner
 def point_at(world: World, p: int, x: Float) -> tuple[float, float, float]:
-    """Where a point is."""
+    """Where a point is.
+
+    Args:
+        world: obstacles and points.
+        p: which point.
+        x: displacements of the rows, (rows, 4) [m].
+    """
     a, b, c = at(world.rest, (p, 0)), at(world.rest, (p, 1)), at(world.rest, (p, 2))
     for e in range(at(world.pointer, p), at(world.pointer, p + 1)):
         i, share = at(world.row, e), at(world.share, e)
@@ -78,7 +84,12 @@ def _near(m: Meeting, one: int, two: int, reach: float) -> bool:
 
 @inner
 def begin_bodies(m: Meeting | None, x: Float) -> None:
-    """A step begins: what is near where is known only if it was looked for just here, and nothing was cut since."""
+    """A step begins: what is near where is known only if it was looked for just here, and nothing was cut since.
+
+    Args:
+        m: the bodies that meet; None: there is one.
+        x: displacements of the rows, (rows, 4) [m].
+    """
     if m is not None and at(m.entries, 0) != 0:
         same = m.away < 0 and m.hidden.shape[0] == 0
         for i in range(x.shape[0]):
@@ -90,13 +101,25 @@ def begin_bodies(m: Meeting | None, x: Float) -> None:
 
 @inner
 def is_away(m: Meeting, memory: Float, body: int) -> bool:
-    """Whether a body is another user's tool, which is not in this copy."""
+    """Whether a body is another user's tool, which is not in this copy.
+
+    Args:
+        m: the bodies that meet.
+        memory: of the copy, (numbers,).
+        body: which one.
+    """
     return m.away >= 0 and body < m.moves and at(memory, m.away + body) != 0.0
 
 
 @inner
 def point_away(m: Meeting | None, memory: Float, p: int) -> bool:
-    """Whether a point is of a tool that is not in this copy."""
+    """Whether a point is of a tool that is not in this copy.
+
+    Args:
+        m: the bodies that meet; None: there is one.
+        memory: of the copy, (numbers,).
+        p: which point.
+    """
     if m is None:
         return False
     return is_away(m, memory, at(m.part, p))
@@ -104,7 +127,15 @@ def point_away(m: Meeting | None, memory: Float, p: int) -> bool:
 
 @part
 def gather(world: World, m: Meeting, memory: Float, x: Float, bound: float) -> None:
-    """Looks which points may meet which body while no row moves farther than `bound`, and what is near them."""
+    """Looks which points may meet which body while no row moves farther than `bound`, and what is near them.
+
+    Args:
+        world: obstacles and points.
+        m: the bodies that meet.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows, (rows, 4) [m].
+        bound: >= 0 [m].
+    """
     bodies, reach, count, used = m.touched.shape[0], 2.0 * m.lever * bound, 0, 0
     for b in range(bodies):
         put(m.touched, b, 0)
@@ -217,7 +248,15 @@ def _note_deepest(m: Meeting) -> None:
 
 @part
 def make_ready(world: World, m: Meeting, memory: Float, x: Float, ahead: Float) -> None:
-    """Makes sure that what is near is known for a motion, and brings the vertices of who meets to its end."""
+    """Makes sure that what is near is known for a motion, and brings the vertices of who meets to its end.
+
+    Args:
+        world: obstacles and points.
+        m: the bodies that meet.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows before the step, (rows, 4) [m].
+        ahead: after it, likewise.
+    """
     farthest = _farthest(m, x, ahead)
     put(m.bound, 1, farthest)
     bound = max(_AHEAD * farthest, m.slack)
@@ -230,3 +269,28 @@ def make_ready(world: World, m: Meeting, memory: Float, x: Float, ahead: Float) 
             if at(m.touched, b) != 0:
                 _lay(m, ahead, b, m.later)
                 put(m.least, (b, 3), 0.0)
+
+
+@part
+def settle_bodies(world: World, m: Meeting | None, memory: Float, x: Float) -> float:
+    """What bodies hold between them where the copy is, without friction [J].
+
+    Args:
+        world: obstacles and points.
+        m: the bodies that meet; None: there is one.
+        memory: of the copy, (numbers,).
+        x: displacements of the rows, (rows, 4) [m].
+    """
+    if m is None:
+        return 0.0
+    gather(world, m, memory, x, 0.0)
+    put(m.entries, 0, 0)
+    energy = 0.0
+    for e in range(at(m.entries, 1)):
+        deep = at(m.began, (e, 0))
+        if deep > 0.0:
+            p = at(m.point, e)
+            firm = at(m.stiffness, (at(m.part, p), at(m.other, e)))
+            energy += 0.5 * firm * at(world.area, p) * at(world.there, p) * deep * deep
+    wake(m, memory, world.first + 4 * (world.told.shape[0] + world.kind.shape[0] * world.area.shape[0]))
+    return energy

@@ -5,6 +5,7 @@
 import math
 
 from cotouch.arrays import Float
+from cotouch.mechanics._foot import foot, normal
 from cotouch.mechanics._kernel import inner, part
 from cotouch.mechanics._meeting import Meeting
 from cotouch.mechanics._meeting_asleep import appears, beyond
@@ -14,71 +15,19 @@ from cotouch.mechanics._vector import at, put
 _ALIKE = 1e-9
 # A foot on a side lies as well as within if the way to it is the height above the plane, but for rounding.
 _FLUSH = 1e-12
-# Square of the sine of two sides' angle up to which rounding may say wrongly whether a point is beyond a side.
-_SLIVER = 1e-10
 # Instead of whether the nearest point lies within its triangle: the body's own skin, seen from behind.
 FAR_SIDE = 2
-# Nearest point of a triangle: square of the distance, shares of the corners, and whether it lies within.
-_Foot = tuple[float, float, float, float, bool]
 
 
 @inner
 def is_hidden(m: Meeting, f: int) -> bool:
-    """Whether a triangle of a body that can be cut is not there."""
+    """Whether a triangle of a body that can be cut is not there.
+
+    Args:
+        m: the bodies that meet.
+        f: the triangle.
+    """
     return m.hidden.shape[0] > 0 and at(m.hidden, f) != 0
-
-
-@inner
-def _square(x: float, y: float, z: float) -> float:
-    return x * x + y * y + z * z
-
-
-@inner
-def foot(place: Float, i: int, j: int, k: int, x: float, y: float, z: float) -> _Foot:
-    """The point of a triangle that is nearest to (x, y, z) [Ericson 2005, 5.1.5]."""
-    ax, ay, az = at(place, (i, 0)), at(place, (i, 1)), at(place, (i, 2))
-    ux, uy, uz = at(place, (j, 0)) - ax, at(place, (j, 1)) - ay, at(place, (j, 2)) - az
-    vx, vy, vz = at(place, (k, 0)) - ax, at(place, (k, 1)) - ay, at(place, (k, 2)) - az
-    px, py, pz = x - ax, y - ay, z - az
-    uu, uv, vv = ux * ux + uy * uy + uz * uz, ux * vx + uy * vy + uz * vz, vx * vx + vy * vy + vz * vz
-    up, vp = ux * px + uy * py + uz * pz, vx * px + vy * py + vz * pz
-    size = uu * vv - uv * uv
-    b, c, within = 0.0, 0.0, False
-    b0, c0 = vv * up - uv * vp, uu * vp - uv * up
-    flat = not size > _SLIVER * uu * vv
-    if b0 > 0.0 and c0 > 0.0 and b0 + c0 < size and not flat:
-        b, c, within = b0 / size, c0 / size, True
-    else:  # the nearest of the sides that it is beyond; of a sliver, of all three
-        best = math.inf
-        if flat or c0 <= 0.0:
-            s = min(max(up / uu, 0.0), 1.0) if uu > 0.0 else 0.0
-            best, b = _square(px - s * ux, py - s * uy, pz - s * uz), s
-        if flat or b0 <= 0.0:
-            s = min(max(vp / vv, 0.0), 1.0) if vv > 0.0 else 0.0
-            square = _square(px - s * vx, py - s * vy, pz - s * vz)
-            if square < best:
-                best, b, c = square, 0.0, s
-        if flat or b0 + c0 >= size:
-            ww = uu - 2.0 * uv + vv
-            s = min(max((vp - up - uv + uu) / ww, 0.0), 1.0) if ww > 0.0 else 0.0
-            r = 1.0 - s
-            square = _square(px - r * ux - s * vx, py - r * uy - s * vy, pz - r * uz - s * vz)
-            if square < best:
-                b, c = r, s
-    gx, gy, gz = px - b * ux - c * vx, py - b * uy - c * vy, pz - b * uz - c * vz
-    return gx * gx + gy * gy + gz * gz, 1.0 - b - c, b, c, within
-
-
-@inner
-def normal(place: Float, i: int, j: int, k: int) -> tuple[float, float, float]:
-    """Unit normal of a triangle."""
-    ax, ay, az = at(place, (i, 0)), at(place, (i, 1)), at(place, (i, 2))
-    ux, uy, uz = at(place, (j, 0)) - ax, at(place, (j, 1)) - ay, at(place, (j, 2)) - az
-    vx, vy, vz = at(place, (k, 0)) - ax, at(place, (k, 1)) - ay, at(place, (k, 2)) - az
-    nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
-    size = math.sqrt(nx * nx + ny * ny + nz * nz)
-    scale = 1.0 / size if size > 0.0 else 0.0
-    return scale * nx, scale * ny, scale * nz
 
 
 @inner
@@ -105,6 +54,17 @@ def keep_nearer(m: Meeting, place: Float, f: int, x: float, y: float, z: float, 
     side of the skin; of two in one plane the one that the point is above, else the first. Beside the other one by a
     hair, the normal would be turned by as much; and where rounding chose, looks would find no end. `out` gets for now
     the square of the distance, and the height above the plane beside it.
+
+    Args:
+        m: the bodies that meet.
+        place: of the vertices, (V, 4) [m].
+        f: the triangle.
+        x: of the point [m].
+        y: likewise.
+        z: likewise.
+        e: which entry.
+        out: `began` or `ended`.
+        col: of `face`: 0 of `began`, 2 of `ended`.
     """
     if is_hidden(m, f) or f == at(m.face, (e, col)):
         return
@@ -137,7 +97,18 @@ def keep_nearer(m: Meeting, place: Float, f: int, x: float, y: float, z: float, 
 
 @part
 def finish(m: Meeting, place: Float, x: float, y: float, z: float, e: int, out: Float, col: int) -> None:
-    """Makes of the nearest triangle what is kept: depth, and the normal out of the skin."""
+    """Makes of the nearest triangle what is kept: depth, and the normal out of the skin.
+
+    Args:
+        m: the bodies that meet.
+        place: of the vertices, (V, 4) [m].
+        x: of the point [m].
+        y: likewise.
+        z: likewise.
+        e: which entry.
+        out: `began` or `ended`.
+        col: as of `keep_nearer`.
+    """
     square, height = at(out, (e, 0)), at(out, (e, 7))
     f = at(m.face, (e, col))
     distance = math.sqrt(square)
@@ -239,7 +210,18 @@ def search(m: Meeting, body: int, p: int, x: float, y: float, z: float, e: int, 
 
 @part
 def collect(m: Meeting, body: int, p: int, x: float, y: float, z: float, reach: float, begin: int) -> int:
-    """Notes in `near` all triangles of a body within reach; returns one past the last, or -1 where there is no room."""
+    """Notes in `near` all triangles of a body within reach; returns one past the last, or -1 where there is no room.
+
+    Args:
+        m: the bodies that meet.
+        body: whose triangles.
+        p: which point.
+        x: of the point [m].
+        y: likewise.
+        z: likewise.
+        reach: >= 0 [m].
+        begin: where in `near` there is room.
+    """
     waiting, count, room, own = 1, begin, m.near.shape[0], body == at(m.part, p)
     put(m.stack, 0, at(m.boxes, body))
     while waiting > 0:
@@ -271,7 +253,15 @@ def collect(m: Meeting, body: int, p: int, x: float, y: float, z: float, reach: 
 
 @part
 def follow(m: Meeting, e: int, x: float, y: float, z: float) -> float:
-    """Depth of an entry's point where the step would end; row e of `ended` gets what belongs to it."""
+    """Depth of an entry's point where the step would end; row e of `ended` gets what belongs to it.
+
+    Args:
+        m: the bodies that meet.
+        e: which entry.
+        x: of the point [m].
+        y: likewise.
+        z: likewise.
+    """
     if at(m.bound, 1) == 0.0:  # nothing moves
         for n in range(8):
             put(m.ended, (e, n), at(m.began, (e, n)))

@@ -15,19 +15,35 @@ _MANY = 1024
 
 @inner
 def mark_of(other: int, slips: float) -> float:
-    """The fourth number of a stretch: in which body it is, and how far it has slipped there, up to 1; 0: none."""
+    """The fourth number of a stretch: in which body it is, and how far it has slipped there, up to 1; 0: none.
+
+    Args:
+        other: in which body.
+        slips: how far, 0 to 1.
+    """
     return 2.0 * _MANY * (other + 1.0) + slips
 
 
 @inner
 def stretched_in(memory: Float, here: int) -> int:
-    """In which body a stretch is; negative: there is none."""
+    """In which body a stretch is; negative: there is none.
+
+    Args:
+        memory: of the copy, (numbers,).
+        here: where in it the stretch is.
+    """
     return int(at(memory, here + 3)) // (2 * _MANY) - 1
 
 
 @inner
 def stretch_in(memory: Float, here: int, other: int) -> tuple[float, float, float, float]:
-    """A point's stretch in one of the bodies [m], and how far it has slipped there, see `pressed`."""
+    """A point's stretch in one of the bodies [m], and how far it has slipped there, see `pressed`.
+
+    Args:
+        memory: of the copy, (numbers,).
+        here: where in it the stretch is.
+        other: which of the bodies.
+    """
     if stretched_in(memory, here) != other:
         return 0.0, 0.0, 0.0, 0.0
     mark = at(memory, here + 3)
@@ -37,12 +53,23 @@ def stretch_in(memory: Float, here: int, other: int) -> tuple[float, float, floa
 
 @inner
 def within_of(memory: Float, here: int) -> int:
-    """In how many bodies a point is, not asleep."""
+    """In how many bodies a point is, not asleep.
+
+    Args:
+        memory: of the copy, (numbers,).
+        here: where in it the stretch is.
+    """
     return int(at(memory, here + 3)) // 2 % _MANY
 
 
 @inner
 def put_within(memory: Float, here: int, within: int) -> None:
-    """Adds that to the fourth number of a stretch."""
+    """Adds that to the fourth number of a stretch.
+
+    Args:
+        memory: of the copy, in place.
+        here: where in it the stretch is.
+        within: in how many bodies the point is.
+    """
     more = min(within, _MANY - 1) - within_of(memory, here)
     put(memory, here + 3, at(memory, here + 3) + 2.0 * more)

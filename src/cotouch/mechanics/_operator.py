@@ -27,7 +27,7 @@ class Operator(NamedTuple):
     is assembled at all; with none the step is a closed form.
 
     Attributes:
-        coefficient: 1/N, the scale of M, B and K in each of N copies.
+        copy_scale: 1/N, the scale of M, B and K in each of N copies.
         firmness: scale of K, of weight and of obstacles beside that, 1 but while members come and go.
         mass: diagonal of M, (rows,).
         damping: diagonal of B, (rows,).
@@ -119,6 +119,13 @@ def row_sum(op: Operator, values: Float, i: int, field: Float, lanes: tuple[int,
 
     Three entries at a time and two sums: rows have few entries, for which the compiler's own unrolling by eight never
     gets going.
+
+    Args:
+        op: the body's matrices.
+        values: off the diagonal, (entries,).
+        i: which row.
+        field: (rows, width).
+        lanes: fixes the width of a row.
     """
     e, last = at(op.pointer, i), at(op.pointer, i + 1)
     even, odd = splat(0.0, lanes), splat(0.0, lanes)
@@ -136,7 +143,15 @@ def row_sum(op: Operator, values: Float, i: int, field: Float, lanes: tuple[int,
 
 @inner
 def row_product(op: Operator, family: int, i: int, field: Float, lanes: tuple[int, ...]) -> float:
-    """Row i of one family times a field."""
+    """Row i of one family times a field.
+
+    Args:
+        op: the body's matrices.
+        family: which one.
+        i: which row.
+        field: (rows, width).
+        lanes: fixes the width of a row.
+    """
     return row_sum(op, op.entries[family], i, field, lanes)
 
 
@@ -145,6 +160,12 @@ def pull(op: Operator, i: int, field: Float, lanes: tuple[int, ...]) -> float:
     """Row i of K times a field, by differences between rows: `(K 1)_i x_i + sum_j K_ij (x_j - x_i)`.
 
     A free body may travel far on a small stretch, and the plain product would lose the stretch in the travel.
+
+    Args:
+        op: the body's matrices.
+        i: which row.
+        field: (rows, width).
+        lanes: fixes the width of a row.
     """
     own = load(field, i, lanes)
     result = at(op.ground, i) * own
@@ -184,7 +205,13 @@ def multiply(op: Operator, matrix: int, diagonal: Float, field: Float, out: Floa
 
 @inner
 def taken_off(op: Operator, T: float, i: int) -> float:
-    """What the diagonal of `B + (T/2) K` has too much where the copy that steps was cut; at most 0."""
+    """What the diagonal of `B + (T/2) K` has too much where the copy that steps was cut; at most 0.
+
+    Args:
+        op: the body's matrices.
+        T: length of the step [s].
+        i: which row.
+    """
     off = 0.0
     for family in range(op.taken.shape[0]):
         scale = at(op.mix, (DAMPING, family)) + 0.5 * T * at(op.mix, (STIFFNESS, family))

@@ -13,7 +13,7 @@ from cotouch.mechanics._vector import at, load, put
 Whole = Int | Long
 
 
-class Paths(Protocol):
+class PathTable(Protocol):
     """Paths of many hands; any table with these columns, as numba sees it."""
 
     @property
@@ -48,7 +48,7 @@ class Paths(Protocol):
 
 
 @inner
-def path_place(paths: Paths, cursor: Whole, p: int, t: float, lanes: tuple[int, ...]) -> float:
+def path_place(paths: PathTable, cursor: Whole, p: int, t: float, lanes: tuple[int, ...]) -> float:
     """Where path p is at time t, a row; kernels only.
 
     Args:

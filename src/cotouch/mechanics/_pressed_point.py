@@ -27,7 +27,14 @@ def untouched(lost: float) -> Pressed:
 
 @inner
 def stretched(k: float, sx: float, sy: float, sz: float) -> float:
-    """Energy in friction [J]. Half as stiff along a face as across it: within a step, both then resist alike."""
+    """Energy in friction [J]. Half as stiff along a face as across it: within a step, both then resist alike.
+
+    Args:
+        k: stiffness across the face [N/m].
+        sx: stretch along x [m].
+        sy: likewise.
+        sz: likewise.
+    """
     return 0.25 * k * (sx * sx + sy * sy + sz * sz)
 
 

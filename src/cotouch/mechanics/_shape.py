@@ -97,6 +97,10 @@ def shape_table(shape: Shape) -> dict[str, Any]:
 def packed(shape: Plane | Box | Plate, origin: Vector3) -> tuple[int, list[float]]:
     """The number of a shape, and what kernels read of it.
 
+    Args:
+        shape: whose kernel reads it.
+        origin: of the body, from which places are counted [m].
+
     Raises:
         BodyError: the shape has no extent.
     """

@@ -53,7 +53,15 @@ def _rotation(turn: Vector3) -> Float:
 
 @inner
 def depth(numbers: Float, s: int, x: float, y: float, z: float) -> tuple[float, float, float, float, int]:
-    """See `cotouch.mechanics._shape.depth`. Faces are 0 to 5; beside an edge or a corner there is none, -1."""
+    """See `cotouch.mechanics._shape.depth`. Faces are 0 to 5; beside an edge or a corner there is none, -1.
+
+    Args:
+        numbers: of all shapes, (shapes, NUMBERS).
+        s: which of them.
+        x: of the point [m].
+        y: likewise.
+        z: likewise.
+    """
     px, py, pz = x - at(numbers, (s, 0)), y - at(numbers, (s, 1)), z - at(numbers, (s, 2))
     best, face, sign, square, beyond = -math.inf, -1, 1.0, 0.0, 0
     for a in range(3):

@@ -41,6 +41,14 @@ class Plane(NamedTuple):
 
 @inner
 def depth(numbers: Float, s: int, x: float, y: float, z: float) -> tuple[float, float, float, float, int]:
-    """See `cotouch.mechanics._shape.depth`."""
+    """See `cotouch.mechanics._shape.depth`.
+
+    Args:
+        numbers: of all shapes, (shapes, NUMBERS).
+        s: which of them.
+        x: of the point [m].
+        y: likewise.
+        z: likewise.
+    """
     a, b, c = at(numbers, (s, 0)), at(numbers, (s, 1)), at(numbers, (s, 2))
     return at(numbers, (s, 3)) - (a * x + b * y + c * z), a, b, c, 0

@@ -82,7 +82,15 @@ def _radial(numbers: Float, s: int, x: float, y: float, z: float) -> tuple[float
 
 @inner
 def depth(numbers: Float, s: int, x: float, y: float, z: float) -> tuple[float, float, float, float, int]:
-    """See `cotouch.mechanics._shape.depth`. Faces are those of the box; the wall of the hole is none, -1."""
+    """See `cotouch.mechanics._shape.depth`. Faces are those of the box; the wall of the hole is none, -1.
+
+    Args:
+        numbers: of all shapes, (shapes, NUMBERS).
+        s: which of them.
+        x: of the point [m].
+        y: likewise.
+        z: likewise.
+    """
     deep, nx, ny, nz, face = box.depth(numbers, s, x, y, z)
     wall, rx, ry, rz = _radial(numbers, s, x, y, z)
     if wall < deep:
@@ -92,7 +100,18 @@ def depth(numbers: Float, s: int, x: float, y: float, z: float) -> tuple[float, 
 
 @inner
 def through(numbers: Float, s: int, x: float, y: float, z: float, mx: float, my: float, mz: float) -> bool:
-    """Whether a point that moves by m is in the hole, or in line with it, at the start and at the end."""
+    """Whether a point that moves by m is in the hole, or in line with it, at the start and at the end.
+
+    Args:
+        numbers: of all shapes, (shapes, NUMBERS).
+        s: which of them.
+        x: of the point at the start [m].
+        y: likewise.
+        z: likewise.
+        mx: how far it moves [m].
+        my: likewise.
+        mz: likewise.
+    """
     begin, _, _, _ = _radial(numbers, s, x, y, z)
     end, _, _, _ = _radial(numbers, s, x + mx, y + my, z + mz)
     return begin <= 0.0 and end <= 0.0

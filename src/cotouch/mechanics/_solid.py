@@ -10,13 +10,13 @@ from cotouch.body import add_solid_law
 from cotouch.errors import BodyError
 from cotouch.mechanics._bounds import as_written
 from cotouch.mechanics._force import LAWS
-from cotouch.mechanics._force_tetrahedra import SOLIDS, Solid, evaluate, resist, tables_of
+from cotouch.mechanics._force_tetrahedra import SOLIDS, SolidLaw, evaluate, resist, tables_of
 from cotouch.mechanics._four_numbers import FourNumbers
 
 
 def register_solid(
     name: str, *, stress: Callable[..., Any], energy: Callable[..., Any], poisson_above: float = -1.0
-) -> Solid:
+) -> SolidLaw:
     """Makes a law of tetrahedra known by its name, instead of one of the same name.
 
     With H the gradient of displacement, F = I + H. Four tetrahedra are worked out at once, so all numbers may be four
@@ -35,7 +35,7 @@ def register_solid(
     broken = _findings(as_written(stress), as_written(energy))
     if broken:
         raise BodyError(f'material "{name}" breaks the interface: {broken[0]}')
-    made = SOLIDS[name] = Solid(tables_of(f"Solid_{name}".replace("-", "_"), f"Of {name}"), stress, energy)
+    made = SOLIDS[name] = SolidLaw(tables_of(f"Solid_{name}".replace("-", "_"), f"Of {name}"), stress, energy)
     LAWS[made.kind] = resist, evaluate
     add_solid_law(name, poisson_above=poisson_above)
     return made

@@ -17,6 +17,7 @@ from cotouch.arrays import Float
 from cotouch.mechanics._dense import solve_dense
 from cotouch.mechanics._kernel import inner, kernel
 from cotouch.mechanics._operator import Operator, row_sum
+from cotouch.mechanics._solve_ports import add_ports
 from cotouch.mechanics._state import Ports, Workspace
 from cotouch.mechanics._vector import at, load, splat, store, total
 
@@ -59,6 +60,11 @@ def chebyshev_iterations(op: Operator, bound: float, tolerance: float) -> int:
     k half sweeps leave of the residual, in the norm of D^-½, at most `√(1 + ρ²) / T_k(1/ρ)` [Golub & Varga 1961; the
     root because the start of one half shows in the other], and the last scale, a projection along v̂, adds
     `1/√(1 - ρ²)` at most [Kantorovich]. Conjugate gradients need no more iterations than there are rows.
+
+    Args:
+        op: the body's matrices.
+        bound: ρ, at least the spectral radius of the iteration, >= 0.
+        tolerance: of the solver, 0 to 1.
     """
     if op.split == 0 or not bound <= _SHARP:
         return 0
@@ -254,74 +260,33 @@ def _rescale(supplied: float, missed: float, solution: Float, lanes: tuple[int, 
 
 @kernel
 def divide(diagonal: Float, rhs: Float, solution: Float, lanes: tuple[int, ...]) -> None:
-    """`solution = rhs / diagonal`, row by row."""
-    for i in range(diagonal.shape[0]):
-        store(solution, i, (1.0 / at(diagonal, i)) * load(rhs, i, lanes), lanes)
-
-
-@inner
-def add_ports(
-    diagonal: Float,
-    shape: Float,
-    gain: Float,
-    small: Float,
-    small_rhs: Float,
-    solution: Float,
-    lanes: tuple[int, ...],
-) -> None:
-    """Turns `D⁻¹ b` into `(D + Σ_p gain_p h_p h_pᵀ)⁻¹ b` (Woodbury), for ports that touch many rows of a modal basis.
+    """`solution = rhs / diagonal`, row by row.
 
     Args:
-        diagonal: D, (rows,).
-        shape: the h_p, (ports, rows).
-        gain: (ports,), >= 0.
-        small: scratch (ports, ports).
-        small_rhs: scratch (ports, width).
-        solution: `D⁻¹ b` going in, (rows, width); the solution coming out.
-        lanes: fixes the width.
+        diagonal: (rows,), not 0.
+        rhs: (rows, width).
+        solution: result, likewise.
+        lanes: fixes the width of a row.
     """
-    ports, rows = shape.shape[0], shape.shape[1]
-    # (I + √c G √c) y = √c Hx with G = H D⁻¹ Hᵀ is symmetric positive definite even where a gain is zero.
-    for p in range(ports):
-        root = np.sqrt(gain[p])
-        for q in range(p + 1):
-            product = 0.0
-            for i in range(rows):
-                product += shape[p, i] * shape[q, i] / diagonal[i]
-            small[p, q] = root * np.sqrt(gain[q]) * product
-        small[p, p] += 1.0
-        reading = splat(0.0, lanes)
-        for i in range(rows):
-            reading = reading + shape[p, i] * load(solution, i, lanes)
-        store(small_rhs, p, root * reading, lanes)
-    for p in range(ports):  # Cholesky, in place in the lower triangle
-        for q in range(p + 1):
-            entry = small[p, q]
-            for k in range(q):
-                entry -= small[p, k] * small[q, k]
-            small[p, q] = np.sqrt(entry) if p == q else entry / small[q, q]
-    for p in range(ports):
-        value = load(small_rhs, p, lanes)
-        for k in range(p):
-            value = value - small[p, k] * load(small_rhs, k, lanes)
-        store(small_rhs, p, (1.0 / small[p, p]) * value, lanes)
-    for back in range(ports):
-        p = ports - 1 - back
-        value = load(small_rhs, p, lanes)
-        for k in range(p + 1, ports):
-            value = value - small[k, p] * load(small_rhs, k, lanes)
-        store(small_rhs, p, (1.0 / small[p, p]) * value, lanes)
-    for i in range(rows):
-        push = splat(0.0, lanes)
-        for p in range(ports):
-            push = push + (np.sqrt(gain[p]) * shape[p, i]) * load(small_rhs, p, lanes)
-        store(solution, i, load(solution, i, lanes) - (1.0 / at(diagonal, i)) * push, lanes)
+    for i in range(diagonal.shape[0]):
+        store(solution, i, (1.0 / at(diagonal, i)) * load(rhs, i, lanes), lanes)
 
 
 @inner
 def solve_step(
     op: Operator, ports: Ports, work: Workspace, tolerance: float, least: int, cap: int, lanes: tuple[int, ...]
 ) -> int:
+    """Solves the system of a step for `mean`; returns the iterations that it took, 0 where it is a closed form.
+
+    Args:
+        op: the body's matrices.
+        ports: what holds the copy.
+        work: `diagonal`, `scale`, `port_gain` and `rhs` are the system; `mean` is the result.
+        tolerance: of the solver.
+        least: iterations at least.
+        cap: on its iterations.
+        lanes: fixes the width of a row.
+    """
     families = op.entries.shape[0]
     if families == 0 and work.dense.shape[0] > 0:
         solve_dense(op, ports, work)

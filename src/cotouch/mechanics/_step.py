@@ -66,8 +66,8 @@ def step(
         T: length of the step, > 0 [s].
         sample: slot of `links.samples` that receives x̂, the position at mid-step; negative: none.
         work: scratch.
-        ledger: result (BOOKS,): work supplied at the ports and dissipated by body, local and extra damping during the
-            step; kinetic and elastic energy after it [J]; iterations of the solver.
+        ledger: result (LEDGER_COLUMNS,): work supplied at the ports and dissipated by body, local and extra damping
+            during the step; kinetic and elastic energy after it [J]; iterations of the solver.
         link_work: result (links,), this copy's entries: work that each link did on it [J].
         tolerance: of the solver.
         cap: on its iterations.
@@ -92,7 +92,19 @@ def assemble(
     work: Workspace,
     lanes: tuple[int, ...],
 ) -> None:
-    """Diagonal and family scales of `A = (2/T)M/N + B/N + (T/2)K/N + ...`, and the right-hand side."""
+    """Diagonal and family scales of `A = (2/T)M/N + B/N + (T/2)K/N + ...`, and the right-hand side.
+
+    Args:
+        op: the body's matrices.
+        state: of the copy.
+        links: the neighbours' samples.
+        ports: what holds the copy.
+        local_damping: B_i as coefficients over the weights, (weights,).
+        extra_damping: B_e likewise.
+        T: length of the step [s].
+        work: result: `diagonal`, `scale`, `gain`, `port_gain` and `rhs`.
+        lanes: fixes the width of a row.
+    """
     rows, weights, families = op.mass.shape[0], op.weight.shape[0], op.entries.shape[0]
     half, inertia = 0.5 * T, 2.0 * op.copy_scale / T
     for w in range(weights):
@@ -181,7 +193,16 @@ def assemble(
 
 @inner
 def port_work(op: Operator, state: State, ports: Ports, T: float, mean: Float, lanes: tuple[int, ...]) -> float:
-    """Mean force at every port, and the work `T v̂ᵀ f` that they did together."""
+    """Mean force at every port, and the work `T v̂ᵀ f` that they did together.
+
+    Args:
+        op: the body's matrices.
+        state: of the copy.
+        ports: what holds the copy; `force` is written.
+        T: length of the step [s].
+        mean: v̂, (rows, width) [m/s].
+        lanes: fixes the width of a row.
+    """
     dense = ports.shape.shape[0] > 0
     supplied = 0.0
     for p in range(ports.row.shape[0]):
@@ -213,7 +234,18 @@ def move(
     link_work: Float,
     lanes: tuple[int, ...],
 ) -> None:
-    """New position, velocity and sample; work of every link; `v̂ᵀ W v̂` of every diagonal weight."""
+    """New position, velocity and sample; work of every link; `v̂ᵀ W v̂` of every diagonal weight.
+
+    Args:
+        op: the body's matrices.
+        state: of the copy; changed in place.
+        links: the neighbours' samples.
+        T: length of the step [s].
+        sample: slot of `links.samples` that receives x̂; negative: none.
+        work: `mean` is v̂; `quadratic` is written.
+        link_work: result (links,) [J].
+        lanes: fixes the width of a row.
+    """
     rows, weights = op.mass.shape[0], op.weight.shape[0]
     for link in range(links.slot.shape[0]):
         put(link_work, link, 0.0)
@@ -286,7 +318,18 @@ def book_energies(
     ledger: Float,
     lanes: tuple[int, ...],
 ) -> None:
-    """Energies from the new state, losses from the mean velocity; keeps `K x` and `M v` for the next step."""
+    """Energies from the new state, losses from the mean velocity; keeps `K x` and `M v` for the next step.
+
+    Args:
+        op: the body's matrices.
+        state: of the copy; `K x` and `M v` are written.
+        local_damping: B_i as coefficients over the weights, (weights,).
+        extra_damping: B_e likewise.
+        T: length of the step [s].
+        work: `mean` is v̂.
+        ledger: result (LEDGER_COLUMNS,), as of `step`.
+        lanes: fixes the width of a row.
+    """
     rows, weights, families = op.mass.shape[0], op.weight.shape[0], op.entries.shape[0]
     heavy = mixed(op, MASS)
     kinetic, elastic, lost = splat(0.0, lanes), splat(0.0, lanes), splat(0.0, lanes)
@@ -329,7 +372,7 @@ def settle(op: Operator, state: State, ledger: Float, lanes: tuple[int, ...]) ->
     Args:
         op: of the body.
         state: whose position and velocity were set; the rest is filled in.
-        ledger: result (BOOKS,): the energies [J].
+        ledger: result (LEDGER_COLUMNS,): the energies [J].
         lanes: fixes the width of a row.
     """
     elastic = splat(0.0, lanes)

@@ -8,7 +8,7 @@ from cotouch.arrays import Float, Int
 from cotouch.passing import by_address
 
 # What a tool does with the body.
-AWAY, TOUCH, GRASP, BLADE = 0, 1, 2, 3
+AWAY, TOUCHING, GRASP, BLADE = 0, 1, 2, 3
 # What tools book, in order: work of the drives on the proxies, work of contacts and grasps on the body, dissipated in
 # contacts and grasps during the step; kinetic energy of the proxies, energy in contacts and grasps after it [J].
 DRIVE, TOUCHED, TOUCH_LOSS, PROXY, TOUCH_STORED = range(5)
@@ -45,7 +45,7 @@ class Tools(NamedTuple):
             pressed it deeper, (tools,).
         grip_stiffness: k of every held node in a grasp, (tools,) [N/m].
         grip_damping: b of it, (tools,) [Ns/m].
-        mode: AWAY, TOUCH, GRASP or BLADE in this step, (tools,).
+        mode: AWAY, TOUCHING, GRASP or BLADE in this step, (tools,).
         drive_stiffness: k of the drive `τ = k (r̂ - ŷ) + b (ṙ̂ - ŵ) + push`, (tools,) [N/m].
         drive_damping: b, (tools,) [Ns/m].
         drive_start: r at the start of the step, (tools, 4) [m].

@@ -160,7 +160,15 @@ def _shuffled(builder: Any, one: Any, other: Any, lanes: tuple[int, ...]) -> Any
 
 @intrinsic
 def four(typingctx: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
-    """A vector of four numbers."""
+    """A vector of four numbers.
+
+    Args:
+        typingctx: numba's own.
+        a: the first.
+        b: the second.
+        c: the third.
+        d: the fourth.
+    """
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         return _four_of(builder, args)
@@ -188,7 +196,15 @@ def lane(typingctx: Any, vector: Any, k: Any) -> Any:
 
 @intrinsic
 def transposed(typingctx: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
-    """The rows of a matrix of four by four as its columns."""
+    """The rows of a matrix of four by four as its columns.
+
+    Args:
+        typingctx: numba's own.
+        a: the first row.
+        b: the second.
+        c: the third.
+        d: the fourth.
+    """
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         a, b, c, d = args

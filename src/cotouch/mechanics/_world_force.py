@@ -10,10 +10,9 @@ from cotouch.mechanics._meeting_force import (
     begin_work,
     book_work,
     press_bodies,
-    settle_bodies,
     weigh_bodies,
 )
-from cotouch.mechanics._meeting_look import begin_bodies, point_away
+from cotouch.mechanics._meeting_look import begin_bodies, point_away, settle_bodies
 from cotouch.mechanics._pressed_point import Pressed, pressed, resists, stretched, untouched
 from cotouch.mechanics._shape import depth, passes
 from cotouch.mechanics._state import WORLD_FORCE
@@ -33,7 +32,13 @@ _Point = tuple[bool, tuple[float, float, float], Pressed]
 
 @inner
 def looks_of(world: World | None, directions: int, dense: bool) -> int:
-    """How often a step looks where its forces lead, at most."""
+    """How often a step looks where its forces lead, at most.
+
+    Args:
+        world: obstacles and points; None: none.
+        directions: looks that a body without obstacles takes.
+        dense: whether rows are solved for at once.
+    """
     if world is None:
         return _LOOKS if dense else directions
     return _LOOKS
@@ -85,7 +90,13 @@ def _place(world: World, p: int, x: Float) -> tuple[float, float, float]:
 
 @part
 def take_up(world: World | None, memory: Float, x: Float) -> None:
-    """Takes the stretches that the last step came to as those that the next begins with."""
+    """Takes the stretches that the last step came to as those that the next begins with.
+
+    Args:
+        world: obstacles and points; None: none.
+        memory: of the copy, in place.
+        x: displacements of the rows, (rows, 4) [m].
+    """
     if world is not None:
         put(world.known, 0, 0.0)
         count = 4 * world.told.shape[0]
@@ -267,7 +278,12 @@ def weigh_world(world: World | None, memory: Float, x: Float, ahead: Float, T: f
 
 @inner
 def grain_of(world: World | None, energy: float) -> float:
-    """What the rounding of places does to an energy at obstacles [J]."""
+    """What the rounding of places does to an energy at obstacles [J].
+
+    Args:
+        world: obstacles and points; None: none.
+        energy: that is held there, >= 0 [J].
+    """
     if world is None:
         return 0.0
     return world.grain + 2.0 * math.sqrt(world.grain * energy)
@@ -275,7 +291,12 @@ def grain_of(world: World | None, energy: float) -> float:
 
 @inner
 def unsettled(world: World | None, flow: float) -> float:
-    """What looks that end once forces have settled leave of an energy that flows in the step [J]."""
+    """What looks that end once forces have settled leave of an energy that flows in the step [J].
+
+    Args:
+        world: obstacles and points; None: none.
+        flow: by size, >= 0 [J].
+    """
     if world is None:
         return 0.0
     return _SETTLED * flow
@@ -283,7 +304,13 @@ def unsettled(world: World | None, flow: float) -> float:
 
 @inner
 def tell_world(world: World | None, copy_scale: float, ledger: Float) -> None:
-    """Writes into a ledger the mean force of all obstacles on the copy."""
+    """Writes into a ledger the mean force of all obstacles on the copy.
+
+    Args:
+        world: obstacles and points; None: none.
+        copy_scale: what is taken of it.
+        ledger: WORLD_FORCE is written.
+    """
     if world is not None:
         for a in range(3):
             ledger[WORLD_FORCE + a] = 0.0
@@ -315,7 +342,13 @@ def deepest_point(world: World, memory: Float, x: Float) -> tuple[float, int]:
 
 @part
 def settle_world(world: World | None, memory: Float, x: Float) -> float:
-    """Forgets all friction; returns what obstacles hold where the copy is [J]."""
+    """Forgets all friction; returns what obstacles hold where the copy is [J].
+
+    Args:
+        world: obstacles and points; None: none.
+        memory: of the copy, in place.
+        x: displacements of the rows, (rows, 4) [m].
+    """
     if world is None:
         return 0.0
     energy = 0.0

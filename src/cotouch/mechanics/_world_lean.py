@@ -12,7 +12,15 @@ from cotouch.mechanics._world import World
 
 @inner
 def tell(world: World, n: int, fx: float, fy: float, fz: float) -> float:
-    """Keeps the force on a point; returns the square of what it changed by since the last look."""
+    """Keeps the force on a point; returns the square of what it changed by since the last look.
+
+    Args:
+        world: obstacles and points; `told` is changed.
+        n: row of `told`.
+        fx: force along x [N].
+        fy: likewise.
+        fz: likewise.
+    """
     change = (fx - at(world.told, (n, 0))) ** 2
     change += (fy - at(world.told, (n, 1))) ** 2 + (fz - at(world.told, (n, 2))) ** 2
     put(world.told, (n, 0), fx)
@@ -23,7 +31,13 @@ def tell(world: World, n: int, fx: float, fy: float, fz: float) -> float:
 
 @inner
 def couple(world: World, p: int, by: Resists) -> None:
-    """Adds what resists motion of a point to what couples the rows at it; see `couple_rows`."""
+    """Adds what resists motion of a point to what couples the rows at it; see `couple_rows`.
+
+    Args:
+        world: obstacles and points; `couple` or `pairs` is added to.
+        p: which point.
+        by: what resists.
+    """
     if world.couple.shape[0] > 0:
         couple_rows(world, world.among, world.share, at(world.pointer, p), at(world.pointer, p + 1), by)
 
@@ -76,7 +90,15 @@ def spread_pairs(world: World) -> None:
 
 @part
 def lean_world(world: World | None, copy_scale: float, rate: Float, work: Workspace, lanes: tuple[int, ...]) -> None:
-    """Puts what resists at the touched rows into the linear system, about the rate at which forces were worked out."""
+    """Puts what resists at the touched rows into the linear system, about the rate at which forces were worked out.
+
+    Args:
+        world: obstacles and points; None: none.
+        copy_scale: what is taken of it.
+        rate: at which forces were worked out, (rows, width) [m/s].
+        work: the system; added to.
+        lanes: fixes the width of a row.
+    """
     if world is not None:
         rates = work.answer
         for q in range(world.couple.shape[0]):

@@ -9,13 +9,26 @@ from cotouch.mechanics._world import World
 
 @inner
 def offset_of(world: World, memory: Float, n: int) -> float:
-    """From which depth on a point meets something [m]."""
+    """From which depth on a point meets something [m].
+
+    Args:
+        world: obstacles and points.
+        memory: of the copy, (numbers,).
+        n: which obstacle and point, as in `told`.
+    """
     return at(memory, world.offset + n) if world.offset >= 0 else 0.0
 
 
 @inner
 def follow_offset(world: World, memory: Float, n: int, deep: float) -> None:
-    """Lets an offset shrink with the depth at the end of a step."""
+    """Lets an offset shrink with the depth at the end of a step.
+
+    Args:
+        world: obstacles and points.
+        memory: of the copy, in place.
+        n: which obstacle and point, as in `told`.
+        deep: that depth [m].
+    """
     if world.offset >= 0:
         kept = world.offset + world.told.shape[0] + n
         put(memory, kept, min(at(memory, world.offset + n), max(deep, 0.0)))

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import final
 
 from cotouch.errors import SessionError
-from cotouch.members._messages import AddressProof, Join, Refused, write
+from cotouch.members._messages import AddressProof, Join, Refused, write_message
 from cotouch.traversal import Place
 
 _ASK_EVERY = 0.5
@@ -67,6 +67,6 @@ class Asking:
             return None
         self._asked = now
         if place is None:
-            return write(self.request)
+            return write_message(self.request)
         shown = AddressProof(nonce=place.nonce.hex(), host=place.host, cookie=place.cookie.hex())
-        return write(self.request.model_copy(update={"place": shown}))
+        return write_message(self.request.model_copy(update={"place": shown}))

@@ -7,11 +7,11 @@ here waits, and it opens nothing: messages and times in, messages out.
 from collections.abc import Callable
 from typing import NamedTuple, final
 
-from cotouch.control import Message
+from cotouch.control import SignedMessage
 from cotouch.errors import SessionError
 from cotouch.members._admission import Admission
 from cotouch.members._file import SessionFile
-from cotouch.members._links import Pair, delays_of, present_links
+from cotouch.members._links import delays_of, present_links
 from cotouch.members._messages import (
     LAST_EPOCH,
     MOST_BANNED,
@@ -23,10 +23,10 @@ from cotouch.members._messages import (
     Refused,
     Roster,
     Status,
-    read,
-    write,
+    read_message,
+    write_message,
 )
-from cotouch.network import Network
+from cotouch.network import Network, Pair
 
 # Who is not seen for this long has left: longer than a path takes to come back after a short outage [s].
 ABSENT_AFTER = 6.0
@@ -103,7 +103,7 @@ class Coordinator:
         self.roster = roster
         self._seen = {entry.key: now for entry in roster.members}
 
-    def receive(self, message: Message, now: float) -> None:
+    def receive(self, message: SignedMessage, now: float) -> None:
         """Takes a message that is for the one who decides; others are left alone.
 
         Args:
@@ -111,7 +111,7 @@ class Coordinator:
             now: time [s].
         """
         if message.topic == "join":
-            request = read(Join, message.body)
+            request = read_message(Join, message.body)
             if request is not None:
                 self._join(request, message.sender.hex(), now)
         elif message.topic == "leave":
@@ -119,9 +119,9 @@ class Coordinator:
         else:
             self.learn(message)
 
-    def learn(self, message: Message) -> None:
+    def learn(self, message: SignedMessage) -> None:
         """Takes what a member says of its ways, which is of use to whoever decides next, too."""
-        said = read(Status, message.body) if message.topic == "status" else None
+        said = read_message(Status, message.body) if message.topic == "status" else None
         entry = self.roster.of(message.sender)
         if said is not None and entry is not None:
             slots = self.roster.by_slot()
@@ -261,7 +261,7 @@ class Coordinator:
         if isinstance(slot, str):
             self.refused += 1
             final = self.admission.unfit(request, key, self.roster) is not None
-            self._out.append(Outgoing("refused", write(Refused(reason=slot, final=final)), bytes.fromhex(key)))
+            self._out.append(Outgoing("refused", write_message(Refused(reason=slot, final=final)), bytes.fromhex(key)))
             return
         others = [entry for entry in self.roster.members if entry.slot != slot]
         entry = Entry(slot=slot, name=request.name, key=key, start=request.start)

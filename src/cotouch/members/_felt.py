@@ -24,7 +24,7 @@ _LEAST = 10.0 * 0.005**2
 
 @final
 @dataclass(frozen=True, kw_only=True)
-class Felt:
+class LawFelt:
     """What is felt of a law.
 
     Attributes:
@@ -42,7 +42,7 @@ class Felt:
     predicted: float | None
 
 
-def felt(known: Sequence[Status]) -> Felt | None:
+def law_felt(known: Sequence[Status]) -> LawFelt | None:
     """What members say together of their law; None before one of them moves.
 
     Args:
@@ -64,7 +64,7 @@ def felt(known: Sequence[Status]) -> Felt | None:
     coupled = {(status.slot, link.slot) for status in moving for link in status.links if link.state == "coupled"}
     # Where one end of a spring counts its age and the other does not, the difference of their clocks is left.
     known_by_both = law != "spring" or coupled == {(there, here) for here, there in coupled}
-    return Felt(
+    return LawFelt(
         law=law,
         on_the_way=None if law == "spring" else on_the_way,
         measured=sum(status.braked for status in moving) / moved if moved > _LEAST else None,

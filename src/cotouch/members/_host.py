@@ -3,15 +3,15 @@
 from collections.abc import Callable
 from typing import final
 
-from cotouch.control import ControlPlane, Message
+from cotouch.control import ControlPlane, SignedMessage
 from cotouch.errors import OutputError
 from cotouch.members._admission import Admission
 from cotouch.members._coordinator import Coordinator, Planner
 from cotouch.members._file import SessionFile
-from cotouch.members._links import Pair
-from cotouch.members._messages import Decided, Decision, Roster, read, write
+from cotouch.members._messages import Decided, Decision, Roster, read_message, write_message
 from cotouch.members._succession import Belief, Chain, order_of
 from cotouch.members._watch import HANDED_ON, SessionEvent, SessionWatch
+from cotouch.network import Pair
 
 # How often who only watches is told what members say of themselves [s].
 _HAND_ON = 0.5
@@ -112,7 +112,7 @@ class Host:
                 except OutputError as error:
                     self.watch.events.append(SessionEvent(now, f"ALARM: the roster cannot be saved: {error}"))
         if self._coordinator.due(now):
-            self._control.send("roster", write(Decided(chain=list(self._belief.chain))))
+            self._control.send("roster", write_message(Decided(chain=list(self._belief.chain))))
 
     def _resume(self, kept: Decision, now: float) -> None:
         """Begins with what this host decided last, and listens."""
@@ -125,9 +125,9 @@ class Host:
             self._kept, self._resumed = None, True
             self._coordinator.renew(_STRIDE)
 
-    def _receive_roster(self, message: Message, now: float) -> None:
+    def _receive_roster(self, message: SignedMessage, now: float) -> None:
         """What was decided while the host was gone: its own newer word, or by whom it had let in."""
-        decided = read(Decided, message.body)
+        decided = read_message(Decided, message.body)
         if decided is None:
             return
         if self._belief.receive(decided, message.sender, frozenset({self._control.identity.public})):
@@ -167,7 +167,7 @@ class Host:
         if not watchers:
             return
         said = [seen.status for seen in self.watch.members.values() if not seen.stale(now)]
-        for body in [write(status) for status in said if status is not None]:
+        for body in [write_message(status) for status in said if status is not None]:
             for watcher in watchers:
                 self._control.send(HANDED_ON, body, to=watcher)
 

@@ -5,9 +5,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from cotouch.arrays import Float
-from cotouch.network import Network
-
-Pair = tuple[int, int]
+from cotouch.network import Network, Pair
 
 
 def present_links(network: Network, members: Iterable[int]) -> list[Pair]:

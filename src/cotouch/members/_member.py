@@ -7,7 +7,7 @@ from typing import final
 import numpy as np
 
 from cotouch.arrays import Float
-from cotouch.control import ControlPlane, Message
+from cotouch.control import ControlPlane, SignedMessage
 from cotouch.errors import SessionError
 from cotouch.mechanics import Model
 from cotouch.members import _keys
@@ -24,10 +24,10 @@ from cotouch.members._messages import (
     Roster,
     Status,
     plain,
-    read,
-    write,
+    read_message,
+    write_message,
 )
-from cotouch.members._paths import Met, Paths
+from cotouch.members._paths import MetPaths, Paths
 from cotouch.members._replica import Replica
 from cotouch.members._shared_cuts import TOPIC as CUTS
 from cotouch.members._shared_model import SharedModel
@@ -127,8 +127,8 @@ class Member:
         self._banned = frozenset[bytes]()
         self._announced_to_them = -float("inf")
         self._announced = -float("inf")
-        self._met = Met(paths)
-        self._waiting = deque[Message]()
+        self._met = MetPaths(paths)
+        self._waiting = deque[SignedMessage]()
         self._telling: Iterator[None] | None = None
 
     @property
@@ -231,7 +231,7 @@ class Member:
             return
         status = self._whole(copy.status(now, [link for link in links if link.slot in copy.neighbours]))
         yield
-        self._control.send("status", write(status))
+        self._control.send("status", write_message(status))
 
     def leave(self) -> None:
         """Says that it leaves."""
@@ -254,12 +254,12 @@ class Member:
             return {"recording": "failed", "recording_failure": plain(recorder.failure)}
         return {"recording": "on" if recorder.begun else "off"}
 
-    def _receive(self, message: Message, decider: bytes | None, present: frozenset[bytes], now: float) -> None:
+    def _receive(self, message: SignedMessage, decider: bytes | None, present: frozenset[bytes], now: float) -> None:
         match message.topic:
             case "roster":
                 self._receive_roster(message, decider, present, now)
             case "refused":
-                said = read(Refused, message.body)
+                said = read_message(Refused, message.body)
                 if said is not None and message.sender in (decider, self._host) and message.direct:
                     self._asking.refuse(said)
             case "end":
@@ -277,20 +277,20 @@ class Member:
                 else:
                     self._coordinator.learn(message)
 
-    def _note(self, message: Message, now: float) -> None:
+    def _note(self, message: SignedMessage, now: float) -> None:
         """What others say of themselves that decides whom to believe."""
         entry = self.roster.of(message.sender)
         if message.topic == "leave" and entry is not None:
             self._departed.add(message.sender)
         elif message.topic == "join":
             self._departed.discard(message.sender)
-        elif message.topic == "status" and entry is not None:
-            status = read(Status, message.body)
-            if status is not None:
-                self._votes[message.sender] = (now, status.roster)
+        elif message.topic == "status" and entry is not None and (status := read_message(Status, message.body)):
+            self._votes[message.sender] = (now, status.roster)
 
-    def _receive_roster(self, message: Message, decider: bytes | None, present: frozenset[bytes], now: float) -> None:
-        decided = read(Decided, message.body)
+    def _receive_roster(
+        self, message: SignedMessage, decider: bytes | None, present: frozenset[bytes], now: float
+    ) -> None:
+        decided = read_message(Decided, message.body)
         if decided is None:
             return
         if message.sender == decider:
@@ -320,7 +320,7 @@ class Member:
             return
         if self._theirs != (decider, chain[-1].signature):  # also one who has come, or come back, and said nothing yet
             self._announced_to_them = now
-            self._control.send("roster", write(Decided(chain=list(chain))), to=decider)
+            self._control.send("roster", write_message(Decided(chain=list(chain))), to=decider)
 
     def _working_with(self) -> str | None:
         """Digest of the roster; worked out once for each."""
@@ -346,7 +346,7 @@ class Member:
             self._belief.decide(self._control.identity, self._coordinator.roster)
             self._follow(now)
         if self._coordinator.due(now):
-            self._control.send("roster", write(Decided(chain=list(self._belief.chain))))
+            self._control.send("roster", write_message(Decided(chain=list(self._belief.chain))))
 
     def _ask(self, now: float) -> None:
         body = self._asking.due(now, inside=self.slot is not None)
@@ -354,7 +354,7 @@ class Member:
             return
         self._control.send("join", body)
         if self._decides:
-            self._coordinator.receive(Message(self._control.identity.public, "join", body, direct=True), now)
+            self._coordinator.receive(SignedMessage(self._control.identity.public, "join", body, direct=True), now)
 
     def _follow(self, now: float) -> None:
         roster = self.roster

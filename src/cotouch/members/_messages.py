@@ -182,7 +182,7 @@ class Roster(Table):
     @property
     def digest(self) -> str:
         """SHA-256 of all of it."""
-        return hashlib.sha256(write(self)).hexdigest()
+        return hashlib.sha256(write_message(self)).hexdigest()
 
     def by_slot(self) -> dict[int, Entry]:
         """The members by slot."""
@@ -239,7 +239,7 @@ class LinkStatus(Table):
         age: of the sample in the last step, plus the offset of the clocks [s].
         ages: greatest sum of both directions' ages in the window [s]; null until both are known.
         budget: sum of both budgets [s].
-        path: quickest way there and back in the window [s].
+        round_trip: quickest way there and back in the window [s].
         loss: of what the neighbour sent, in the last interval.
         rate: of samples to it [1/s].
         datagrams: to it [1/s].
@@ -299,7 +299,7 @@ class Status(Table):
         energy: kinetic and elastic, with weight and obstacles; of the weight 0 where the copy began [J].
         depth: how far that was below 0 at most [J].
         initial: what it began with [J].
-        seeds: what its links were given once, to begin with and to come to where the others are, so far [J].
+        initial_energies: what its links were given once, to begin with and to come to where the others are, so far [J].
         residual: greatest of any step, of the energy in play.
         damping: B_i, as the largest coefficient [Ns/m].
         law: of its links.
@@ -377,7 +377,7 @@ class Status(Table):
         )
 
 
-def read(kind: type[T], body: bytes) -> T | None:
+def read_message(kind: type[T], body: bytes) -> T | None:
     """A message, or None if it is none of this kind.
 
     Args:
@@ -390,7 +390,7 @@ def read(kind: type[T], body: bytes) -> T | None:
         return None
 
 
-def write(message: Table) -> bytes:
+def write_message(message: Table) -> bytes:
     """The message as bytes."""
     return message.model_dump_json().encode()
 

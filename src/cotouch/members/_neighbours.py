@@ -99,7 +99,7 @@ class Neighbours:
             copies=copies,
             now=now,
         )
-        self.given += self._session.options.initial_energy if made.law is None else made.law.seed
+        self.given += self._session.options.initial_energy if made.law is None else made.law.initial_energy
         self._plane.connect(slot, made.link)
         self._paths.introduce(slot, bytes.fromhex(entry.key))
 

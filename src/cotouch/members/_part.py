@@ -17,7 +17,7 @@ HandKind = Literal["scripted", "none"]
 
 @final
 @dataclass(frozen=True, kw_only=True)
-class Part:
+class Participation:
     """How somebody wants to take part.
 
     Attributes:
@@ -61,7 +61,7 @@ class Part:
 
 @final
 @dataclass(frozen=True, kw_only=True)
-class PartOutcome:
+class ParticipationOutcome:
     """How taking part went.
 
     Attributes:

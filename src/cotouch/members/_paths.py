@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from typing import Protocol, final
 
 from cotouch.arrays import Float
-from cotouch.control import Message
+from cotouch.control import SignedMessage
 from cotouch.samples import Transport
 from cotouch.traversal import RoutedTransport
 
@@ -30,7 +30,7 @@ class Paths(Protocol):
         """How long the quickest way there and back took lately, without what is emulated; None: not known [s]."""
         ...
 
-    def take(self, message: Message) -> bool:
+    def take(self, message: SignedMessage) -> bool:
         """Takes a message of the control plane; whether it was about ways."""
         ...
 
@@ -40,7 +40,7 @@ class Paths(Protocol):
 
 
 @final
-class Met:
+class MetPaths:
     """To whom one member looks for ways: to all others, linked or not, as how far they are decides who is linked."""
 
     def __init__(self, paths: Paths) -> None:
@@ -98,7 +98,7 @@ class RoutedPaths:
         """As pings found it."""
         return self._routed.round_trip(slot)
 
-    def take(self, message: Message) -> bool:
+    def take(self, message: SignedMessage) -> bool:
         """Takes candidates."""
         return self._routed.take(message)
 
@@ -144,7 +144,7 @@ class MemoryPaths:
         """As it was told."""
         return self._path(self._at[slot]) if slot in self._at else None
 
-    def take(self, message: Message) -> bool:  # noqa: ARG002
+    def take(self, message: SignedMessage) -> bool:  # noqa: ARG002
         """Nothing is said about ways."""
         return False
 

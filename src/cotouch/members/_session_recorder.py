@@ -129,7 +129,9 @@ class SessionRecorder:
             names=[link.entry.name for link in held],
             keys=[link.entry.life for link in held],
             law="spring" if self._law is None else self._law.law.name,
-            seeds=[self._session.options.initial_energy if link.law is None else link.law.seed for link in held],
+            initial_energies=[
+                self._session.options.initial_energy if link.law is None else link.law.initial_energy for link in held
+            ],
             allowance=self._session.options.allowance,
             codec=None if self._codec is None else self._codec.model_dump(),
         )

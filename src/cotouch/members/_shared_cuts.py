@@ -18,7 +18,7 @@ from pydantic import StringConstraints
 
 from cotouch.arrays import Bool, Int
 from cotouch.control import ControlPlane
-from cotouch.members._messages import Key, Roster, Signature, Slot, read, write
+from cotouch.members._messages import Key, Roster, Signature, Slot, read_message, write_message
 from cotouch.members._shared_model import SharedModel
 from cotouch.peer import CutSet, Peer
 from cotouch.scenario import Table
@@ -133,7 +133,7 @@ class SharedCuts:
             roster: who takes part, and whose names were ever known.
             now: [s].
         """
-        said = read(Statement, body)
+        said = read_message(Statement, body)
         signed = None if said is None else self._elements(said.elements)
         if said is None or signed is None or not self._credible(said, roster):
             self.refused += 1
@@ -230,7 +230,7 @@ class SharedCuts:
         identity, elements = self._control.identity, base64.b64encode(np.packbits(own).tobytes()).decode()
         author = identity.public.hex()
         signature = identity.sign(self._about(author, self._slot, elements)).hex()
-        return write(Statement(author=author, slot=self._slot, elements=elements, signature=signature))
+        return write_message(Statement(author=author, slot=self._slot, elements=elements, signature=signature))
 
     def _genuine(self, said: Statement) -> bool:
         try:

@@ -20,7 +20,7 @@ from typing import final
 from cryptography.exceptions import InvalidSignature
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PublicKey
 
-from cotouch.members._messages import LAST_EPOCH, MOST_STAGES, Decided, Decision, Roster, write
+from cotouch.members._messages import LAST_EPOCH, MOST_STAGES, Decided, Decision, Roster, write_message
 from cotouch.network import Network
 from cotouch.samples import Identity
 
@@ -40,7 +40,7 @@ def signed(identity: Identity, host: bytes, roster: Roster) -> Decision:
         host: its public key.
         roster: who takes part.
     """
-    signature = identity.sign(_CONTEXT + host + write(roster))
+    signature = identity.sign(_CONTEXT + host + write_message(roster))
     return Decision(roster=roster, signer=identity.public.hex(), signature=signature.hex())
 
 
@@ -53,7 +53,7 @@ def genuine(decision: Decision, host: bytes) -> bool:
     """
     try:
         key = Ed25519PublicKey.from_public_bytes(bytes.fromhex(decision.signer))
-        key.verify(bytes.fromhex(decision.signature), _CONTEXT + host + write(decision.roster))
+        key.verify(bytes.fromhex(decision.signature), _CONTEXT + host + write_message(decision.roster))
     except (InvalidSignature, ValueError):
         return False
     return True

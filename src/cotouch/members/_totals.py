@@ -7,7 +7,7 @@ from cotouch.mechanics import CLOSURE_ALARM
 from cotouch.peer import StepReport
 
 # A residual above this share of the energy in play means that something is broken, not round-off.
-ALARM = 1e-9
+TOTALS_ALARM = 1e-9
 # Round-off of less than this is not worth an alarm, whatever the share of a copy at rest [J].
 _LEAST = 1e-9
 # What the law takes of the motion is forgotten over so long [s].
@@ -94,10 +94,12 @@ class Totals:
         self.total_residual += report.residual
         fraction = abs(report.residual) / self.in_play
         self.residual = max(self.residual, fraction)
-        self.alarms += fraction > ALARM
+        self.alarms += fraction > TOTALS_ALARM
         self.closure += report.closure
         self.cut += report.cut
         self.closure_factor = max(self.closure_factor, report.closure_factor)
-        tells = abs(report.closure) > ALARM * self.in_play  # a copy that comes to rest has hardly any motion left
+        tells = (
+            abs(report.closure) > TOTALS_ALARM * self.in_play
+        )  # a copy that comes to rest has hardly any motion left
         self.closure_alarms += (report.closure_factor > CLOSURE_ALARM and tells) or report.shortened > 0.0
         self.least = min(self.least, self.supplied + self.initial + self.depth)

@@ -4,11 +4,10 @@ from collections import deque
 from dataclasses import dataclass
 from typing import NamedTuple, final
 
-from cotouch.control import ControlPlane, Message
-from cotouch.members._links import Pair
-from cotouch.members._messages import Decided, Entry, Roster, Status, read
+from cotouch.control import ControlPlane, SignedMessage
+from cotouch.members._messages import Decided, Entry, Roster, Status, read_message
 from cotouch.members._succession import Belief
-from cotouch.network import Network
+from cotouch.network import Network, Pair
 
 # Topic of a status that the host hands on.
 HANDED_ON = "seen"
@@ -96,7 +95,7 @@ class SessionWatch:
         if self._belief.settle(self.votes(now), present):
             self.follow(self._belief.roster, now)
 
-    def receive(self, message: Message, present: frozenset[bytes], now: float) -> None:
+    def receive(self, message: SignedMessage, present: frozenset[bytes], now: float) -> None:
         """Takes one message.
 
         Args:
@@ -105,16 +104,16 @@ class SessionWatch:
             now: [s].
         """
         if message.topic == "roster":
-            decided = read(Decided, message.body)
+            decided = read_message(Decided, message.body)
             if decided is not None and self._belief.receive(decided, message.sender, present):
                 self.follow(self._belief.roster, now)
             self._complain(now)
         elif message.topic == "status":
-            status, entry = read(Status, message.body), self.roster.of(message.sender)
+            status, entry = read_message(Status, message.body), self.roster.of(message.sender)
             if status is not None and entry is not None and entry.slot == status.slot:
                 self._note(entry, status, now)
         elif message.topic == HANDED_ON and message.sender == self._host:
-            status = read(Status, message.body)
+            status = read_message(Status, message.body)
             entry = None if status is None else self.roster.by_slot().get(status.slot)
             if status is not None and entry is not None and bytes.fromhex(entry.key) not in present:
                 self._note(entry, status, now)

@@ -1,20 +1,17 @@
 """Who is joined to whom, how fast that brings them together, and what damping it takes to stay passive."""
 
-from cotouch.network._age_sums import AgeSums, age_sums_of
 from cotouch.network._certificate import Certificate, certify
 from cotouch.network._checks import one_user
 from cotouch.network._collocation import generator_eigenvalues
-from cotouch.network._consensus import Mixing, mixing
+from cotouch.network._consensus import mixing
 from cotouch.network._damping import (
-    Method,
     damping_for,
     link_damping,
     rule_damping,
 )
 from cotouch.network._decay import Decay, closed_loop, rightmost_root
 from cotouch.network._elimination import invert
-from cotouch.network._exact import exact_margin, exact_scaling, sync_hermitian
-from cotouch.network._gains import coefficients, damping_matrices
+from cotouch.network._exact import exact_scaling
 from cotouch.network._lags import Convention, Rounding, consensus_lags, cycle_period
 from cotouch.network._loop import Loop, characteristic
 from cotouch.network._network import Network
@@ -26,30 +23,23 @@ from cotouch.network._types import Pair
 from cotouch.network._walk import polish
 
 __all__ = [
-    "AgeSums",
     "Certificate",
     "Convention",
     "Decay",
     "Loop",
-    "Method",
-    "Mixing",
     "Network",
     "Pair",
     "Rounding",
-    "age_sums_of",
     "arrive",
     "certify",
     "chain_of",
     "characteristic",
     "closed_loop",
-    "coefficients",
     "complete",
     "connected_graphs",
     "consensus_lags",
     "cycle_period",
     "damping_for",
-    "damping_matrices",
-    "exact_margin",
     "exact_scaling",
     "generator_eigenvalues",
     "invert",
@@ -67,6 +57,5 @@ __all__ = [
     "rule_damping",
     "slowest",
     "star",
-    "sync_hermitian",
     "value",
 ]

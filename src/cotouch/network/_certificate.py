@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.network._age_sums import AgeSums, Basis, age_sums_of, check_periods, index_delays_of
-from cotouch.network._damping import Method, damping_for, method_fractions, minimax_fractions
+from cotouch.network._damping import CertificateMethod, damping_for, method_fractions, minimax_fractions
 from cotouch.network._exact import exact_scaling
 from cotouch.network._gains import coefficients, damping_matrices, inverse_roots, link_matrices, single_weight
 from cotouch.network._network import Network
@@ -61,7 +61,7 @@ class Certificate:
             `user_margin`.
     """
 
-    method: Method | Literal["weighted"]
+    method: CertificateMethod | Literal["weighted"]
     basis: Basis
     covers: str
     modes: tuple[Mode, ...]
@@ -101,7 +101,7 @@ def certify(
     age_sums = age_sums_of(network, ages=ages, index_delay=index_delay, periods=periods)
     result: dict[str, Certificate] = {}
     if damping is None:
-        methods: tuple[Method, ...] = ("rule", "minimax", "sum")
+        methods: tuple[CertificateMethod, ...] = ("rule", "minimax", "sum")
         for method in methods:
             beta = damping_for(network, method, ages=ages, index_delay=index_delay, periods=periods)
             d = method_fractions(network, age_sums, method)
@@ -128,7 +128,7 @@ _Margins: TypeAlias = tuple[float, Float | None, Float | None]
 
 
 def _certificate(
-    method: Method | Literal["weighted"], age_sums: AgeSums, beta: Float, margins: _Margins
+    method: CertificateMethod | Literal["weighted"], age_sums: AgeSums, beta: Float, margins: _Margins
 ) -> Certificate:
     covers, modes = _COVERS["exact" if method == "exact" else age_sums.basis]
     margin, user, link = margins

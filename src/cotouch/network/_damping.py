@@ -23,7 +23,7 @@ from cotouch.network._network import Network
 # One link, or many.
 Amount = TypeVar("Amount", float, Float)
 
-Method: TypeAlias = Literal["rule", "minimax", "sum", "exact"]
+CertificateMethod: TypeAlias = Literal["rule", "minimax", "sum", "exact"]
 
 
 def link_damping(spring: Amount, ages: Amount) -> Amount:
@@ -38,7 +38,7 @@ def link_damping(spring: Amount, ages: Amount) -> Amount:
 
 def damping_for(
     network: Network,
-    method: Method,
+    method: CertificateMethod,
     *,
     ages: npt.ArrayLike | None = None,
     index_delay: npt.ArrayLike | None = None,
@@ -64,7 +64,7 @@ def damping_for(
     Raises:
         NetworkError: an unknown method, or inputs that it does not take.
     """
-    if method not in get_args(Method):
+    if method not in get_args(CertificateMethod):
         raise NetworkError(f'method is "{method}"; it must be "rule", "minimax", "sum" or "exact"')
     if costs is not None and method != "sum":
         raise NetworkError(f'costs are given with method "{method}"; only method "sum" has costs')
@@ -89,7 +89,7 @@ def damping_for(
 
 
 def method_fractions(
-    network: Network, age_sums: AgeSums, method: Method, *, costs: npt.ArrayLike | None = None
+    network: Network, age_sums: AgeSums, method: CertificateMethod, *, costs: npt.ArrayLike | None = None
 ) -> Float:
     """Weights d (N,) of a method that is not "exact".
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from cotouch.arrays import Complex, Float
 from cotouch.compiled import routine
-from cotouch.network._elimination import Cut
+from cotouch.network._elimination import Elimination
 from cotouch.network._loop import Loop
 
 # A pivot counts as positive above this share of the springs of its user.
@@ -12,7 +12,7 @@ _POSITIVE = 1e-10
 
 
 @routine
-def negatives(loop: Loop, parts: Cut, line: float, matrix: Float) -> int:
+def negatives(loop: Loop, parts: Elimination, line: float, matrix: Float) -> int:
     """Negative eigenvalues of G on the real axis, each round trip shared equally by its two ends.
 
     With delays that are the same both ways this counts the real roots between 0 and the line; with others it is near.
@@ -51,7 +51,9 @@ def negatives(loop: Loop, parts: Cut, line: float, matrix: Float) -> int:
 
 
 @routine
-def definite(loop: Loop, parts: Cut, line: float, low: float, high: float, lean: float, matrix: Complex) -> bool:
+def definite(
+    loop: Loop, parts: Elimination, line: float, low: float, high: float, lean: float, matrix: Complex
+) -> bool:
     """Whether the Hermitian part of `e^(-iθ) G` is surely positive definite all along a stretch of a line.
 
     It is looked at in the middle of the stretch, less what it can move by from there: no entry moves by more than the

@@ -21,7 +21,7 @@ from cotouch.network._loop import Loop
 REGULAR = 0.6
 
 
-class Cut(NamedTuple):
+class Elimination(NamedTuple):
     """Who is eliminated, in which order, and who is kept.
 
     Attributes:
@@ -41,7 +41,7 @@ class Cut(NamedTuple):
     other_root: Float
 
 
-class Scratch(NamedTuple):
+class EliminationScratch(NamedTuple):
     """Room for one elimination of a complex matrix and its slope.
 
     Attributes:
@@ -78,7 +78,7 @@ def _own_roots(loop: Loop, first: Float, other: Float) -> None:
 
 
 @routine
-def cut(loop: Loop, line: float, regular: float) -> Cut:
+def cut(loop: Loop, line: float, regular: float) -> Elimination:
     """Chooses who is eliminated right of a line: those with the fewest neighbours first, as long as pivots allow it.
 
     Args:
@@ -141,18 +141,18 @@ def cut(loop: Loop, line: float, regular: float) -> Cut:
         if state[i] == 2:
             order[kept] = i
             kept += 1
-    return Cut(order, gone, begins[: gone + 1], later[:count], first, other)
+    return Elimination(order, gone, begins[: gone + 1], later[:count], first, other)
 
 
 @routine
-def scratch(size: int, kept: int) -> Scratch:
+def scratch(size: int, kept: int) -> EliminationScratch:
     """Room for `size` users of whom `kept` are kept.
 
     Args:
         size: users.
         kept: of these.
     """
-    return Scratch(
+    return EliminationScratch(
         np.zeros((size, size), np.complex128),
         np.zeros((size, size), np.complex128),
         np.empty((kept, kept), np.complex128),
@@ -162,7 +162,7 @@ def scratch(size: int, kept: int) -> Scratch:
 
 
 @subroutine
-def _fill(loop: Loop, parts: Cut, s: complex, matrix: Complex, slope: Complex) -> None:
+def _fill(loop: Loop, parts: Elimination, s: complex, matrix: Complex, slope: Complex) -> None:
     """G(s) and its slope, where elimination is going to look."""
     n = len(loop.mass)
     for a in range(parts.gone):
@@ -243,7 +243,7 @@ def invert(matrix: Complex, inverse: Complex) -> complex:
 
 
 @routine
-def evaluate(loop: Loop, parts: Cut, s: complex, room: Scratch) -> tuple[complex, float, complex]:
+def evaluate(loop: Loop, parts: Elimination, s: complex, room: EliminationScratch) -> tuple[complex, float, complex]:
     """G(s) with all but a few users eliminated; leaves `moved` (dF/ds) and `inverse` (F⁻¹) in the scratch.
 
     Args:
@@ -291,7 +291,9 @@ def evaluate(loop: Loop, parts: Cut, s: complex, room: Scratch) -> tuple[complex
 
 
 @subroutine
-def largest(loop: Loop, parts: Cut, line: float, frequency: float, aside: float, matrix: Float, out: Float) -> bool:
+def largest(
+    loop: Loop, parts: Elimination, line: float, frequency: float, aside: float, matrix: Float, out: Float
+) -> bool:
     """Majorant of what elimination adds to the users kept, `H = D - F`, on a line beyond a frequency.
 
     With θ = `aside` its derivatives in θ at 0 bound those of H in s, entry by entry, at any `σ + iω` with ω at least

@@ -6,7 +6,7 @@ import numpy as np
 
 from cotouch.arrays import Complex, Float, Long
 from cotouch.compiled import raised, routine, subroutine
-from cotouch.network._elimination import REGULAR, Cut, Scratch, cut, evaluate, largest, scratch
+from cotouch.network._elimination import REGULAR, Elimination, EliminationScratch, cut, evaluate, largest, scratch
 from cotouch.network._loop import Loop
 
 # Spectral radius, at most, of what a step adds to the identity; radians, at most, by which its turn is uncertain.
@@ -38,7 +38,7 @@ def reciprocal(value: complex) -> complex:
 
 @subroutine
 def _remainder(
-    loop: Loop, parts: Cut, line: float, frequency: float, wanted: float, matrix: Float, out: Float
+    loop: Loop, parts: Elimination, line: float, frequency: float, wanted: float, matrix: Float, out: Float
 ) -> float:
     """Bounds F's departure from its tangent: over a step iτ, |τ| at most the reach, by `out` τ², entry by entry.
 
@@ -63,7 +63,7 @@ def _remainder(
 
 
 @subroutine
-def _stride(room: Scratch, bound: Float, reach: float, spare: Float) -> float:
+def _stride(room: EliminationScratch, bound: Float, reach: float, spare: Float) -> float:
     """How far from here along the line the determinant surely keeps a clear phase.
 
     `F(s + iτ) = F(s) (I + iτ M + X R)` with `X = F(s)⁻¹`, `M = X F'(s)` and `|R| <= bound τ²`. As long as the spectral

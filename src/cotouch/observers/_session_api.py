@@ -15,7 +15,8 @@ import numpy.typing as npt
 from cotouch.arrays import Single
 from cotouch.body import Body
 from cotouch.mechanics import Shape
-from cotouch.members import Pair, Roster, SessionEvent, Status
+from cotouch.members import Roster, SessionEvent, Status
+from cotouch.network import Pair
 from cotouch.observers._commands import Command, Doable, HandMode
 from cotouch.scenario import DrawnTexture
 

@@ -27,7 +27,7 @@ _PAGE_COLORS = {
     drawing.GRID: "grid",
     drawing.SHADE: "shade",
     drawing.SURFACE: "surface",
-    drawing.ALARM: "alarm",
+    drawing.ALARM_COLOUR: "alarm",
     **{color: f"user-{number}" for number, color in enumerate(drawing.USERS, start=1)},
 }
 

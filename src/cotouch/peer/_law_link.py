@@ -172,7 +172,7 @@ class LawLink(SourcedLink):
         """Goes on with others; what a newcomer may push with grows as before.
 
         Args:
-            parameters: of the law, all of them, its seed and greatest force as before.
+            parameters: of the law, all of them, its initial energy and greatest force as before.
         """
         forces = self._parameters[self._forces]
         self._parameters[:] = parameters
@@ -273,9 +273,9 @@ class LawLink(SourcedLink):
         return self._weight
 
     @property
-    def seed(self) -> float:
+    def initial_energy(self) -> float:
         """What this end may make [J]."""
-        return self.law.seed_of(self._parameters.tolist())
+        return self.law.initial_energy_of(self._parameters.tolist())
 
     @property
     def sent(self) -> float:

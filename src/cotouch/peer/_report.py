@@ -54,7 +54,7 @@ class StepReport:
         residual: what the ledger of this step does not explain [J]; round-off, or something is broken.
         age: of each link's sample at the end of the step, by the clocks as they are [s].
         iterations: of the solver.
-        closure: work on the velocity that closed the step's balance, in no other book; 0 of a linear body [J].
+        closure: work on the velocity that closed the step's balance, in no other column; 0 of a linear body [J].
         closure_factor: |β - 1|, by how much that changed the velocity; above CLOSURE_ALARM forces and energy disagree.
         closing: of several bodies, of each the factor β on its velocity, and the velocity about which that acted,
             (bodies, 4) [1, m/s]; None of one.

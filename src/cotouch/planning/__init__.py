@@ -7,10 +7,10 @@ from cotouch.planning._early import FirstChoice, first_choice
 from cotouch.planning._figures import knee, networks, ranks
 from cotouch.planning._joint import FIRST, Joint, JointInterrupted, plan_springs
 from cotouch.planning._options import PlanOptions, ProblemOptions
-from cotouch.planning._plan import PlanInterrupted, Progress, plan
+from cotouch.planning._plan import PlanInterrupted, plan
 from cotouch.planning._problem import Lost, Objective
 from cotouch.planning._ready import compiles
-from cotouch.planning._result import Choice, Method, Plan, Status, WorstStatus
+from cotouch.planning._result import Choice, Plan, PlanStatus, SearchMethod, WorstStatus
 from cotouch.planning._springs import Tuned, TuningInterrupted, tune_springs
 from cotouch.planning._survey import Survey, survey
 from cotouch.planning._workers import workers
@@ -24,14 +24,13 @@ __all__ = [
     "JointInterrupted",
     "LinkCounts",
     "Lost",
-    "Method",
     "Objective",
     "Plan",
     "PlanInterrupted",
     "PlanOptions",
+    "PlanStatus",
     "ProblemOptions",
-    "Progress",
-    "Status",
+    "SearchMethod",
     "Survey",
     "Tuned",
     "TuningInterrupted",

@@ -28,7 +28,7 @@ _ALONE = 512
 _ROUND = 2
 
 
-class Found(NamedTuple):
+class BestChoices(NamedTuple):
     """What a stretch of choices holds.
 
     Attributes:
@@ -185,7 +185,7 @@ def values_of(problem: Problem, start: int, count: int, best: Sequence[float] = 
     return Values(values, connected, unsure)
 
 
-def look(problem: Problem, start: int, count: int, top: int, known: Found) -> Found:
+def look(problem: Problem, start: int, count: int, top: int, known: BestChoices) -> BestChoices:
     """Works off `count` choices from number `start` on; keeps the `top` best and the worst.
 
     Args:
@@ -203,7 +203,7 @@ def look(problem: Problem, start: int, count: int, top: int, known: Found) -> Fo
     if order.size:
         worst = int(np.flatnonzero(values == values[order[-1]])[0])
         kept += [worst] if worst not in kept else []
-    return Found(
+    return BestChoices(
         tuple(start + int(r) for r in kept),
         tuple(float(values[r]) for r in kept),
         count,
@@ -222,7 +222,7 @@ def thawed(task: Task) -> Task:
     return task._replace(**parts)
 
 
-def merged(parts: Sequence[Found], top: int) -> Found:
+def merged(parts: Sequence[BestChoices], top: int) -> BestChoices:
     """Several stretches as one; of equals the first ranks first.
 
     Args:
@@ -234,7 +234,7 @@ def merged(parts: Sequence[Found], top: int) -> Found:
     if both:
         worst = min((pair for pair in both if pair[0] == both[-1][0]), key=lambda pair: pair[1])
         kept += [worst] if worst not in kept else []
-    return Found(
+    return BestChoices(
         tuple(rank for _, rank in kept),
         tuple(value for value, _ in kept),
         sum(part.looked for part in parts),
@@ -244,7 +244,7 @@ def merged(parts: Sequence[Found], top: int) -> Found:
     )
 
 
-def enumerated(problem: Problem, top: int, parallel: Parallel, jobs: int) -> Generator[Found]:
+def enumerated(problem: Problem, top: int, parallel: Parallel, jobs: int) -> Generator[BestChoices]:
     """Looks at every choice and yields what is known so far, again and again.
 
     Args:
@@ -259,7 +259,7 @@ def enumerated(problem: Problem, top: int, parallel: Parallel, jobs: int) -> Gen
     quick = _QUICK if problem.objective in ("damping", "drag") else 1
     length = min(max(problem.choices // _STRETCHES, _SHORTEST * quick), _LONGEST * quick)
     starts = iter(range(0, problem.choices, length))
-    found = Found((), (), 0, 0, 0, 0)
+    found = BestChoices((), (), 0, 0, 0, 0)
     # The first stretch alone tells the others what to beat; few choices are done sooner than they are shared.
     shared = _ROUND * jobs if problem.choices > _ALONE else 1
     while batch := list(itertools.islice(starts, shared if found.looked else 1)):

@@ -271,4 +271,4 @@ def _course(panel: "Axes", name: str, count: Float, values: Float, sure: Bool, c
     room = _HEADROOM * (top - bottom or 1e-3 * abs(top) or 1.0)
     panel.set_ylim(bottom - (room / 2 if bottom != 0.0 else 0.0), top + room)
     if bottom < 0.0 and " / " in name:
-        panel.axhline(0.0, color=drawing.ALARM, linewidth=0.8)
+        panel.axhline(0.0, color=drawing.ALARM_COLOUR, linewidth=0.8)

@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from cotouch.network import Convention, Rounding
 from cotouch.planning._problem import Lost, Objective
-from cotouch.planning._result import Method
+from cotouch.planning._result import SearchMethod
 
 
 class ProblemOptions(TypedDict, total=False):
@@ -34,7 +34,7 @@ class PlanOptions(ProblemOptions, total=False):
 
     begin: Iterable[Sequence[int]]
     top: int
-    method: Literal["auto"] | Method
+    method: Literal["auto"] | SearchMethod
     limit: int
     starts: int
     seed: int

@@ -16,12 +16,12 @@ from cotouch.interrupt import Flag, check, finishing, flag, heeding, interruptib
 from cotouch.network import Convention, Network, Rounding
 from cotouch.planning._bound import bounded, dive_into, has_room, some_choice
 from cotouch.planning._deadline import in_real_time
-from cotouch.planning._enumerate import Found, chosen_at, enumerated
+from cotouch.planning._enumerate import BestChoices, chosen_at, enumerated
 from cotouch.planning._local import Begin, walked, worked_out
 from cotouch.planning._problem import Lost, Objective, Problem, impossible, make_problem, questions
 from cotouch.planning._ready import compiles, warm
 from cotouch.planning._relaxation import bound_of
-from cotouch.planning._result import Choice, Method, Plan, choice_of, shown
+from cotouch.planning._result import Choice, Plan, SearchMethod, choice_of, shown
 from cotouch.planning._starts import WALKS, begun_at
 from cotouch.planning._task import NOTHING
 from cotouch.planning._workers import Workers, workers
@@ -109,7 +109,7 @@ def plan(
     sync_damping: npt.ArrayLike | None = None,
     begin: Iterable[Sequence[int]] = (),
     top: int = 5,
-    method: Literal["auto"] | Method = "auto",
+    method: Literal["auto"] | SearchMethod = "auto",
     limit: int = _ENUMERABLE,
     starts: int = _STARTS,
     seed: int = 0,
@@ -320,12 +320,12 @@ def _choices(problem: Problem, kept: dict[tuple[int, ...], float], top: int) -> 
     return [told[chosen] for _, chosen in [*ranked[:top], worst]]
 
 
-def _method(problem: Problem, method: str, limit: int) -> Method:
+def _method(problem: Problem, method: str, limit: int) -> SearchMethod:
     if method == "auto":
         if problem.choices <= limit:
             return "enumerate"
         return "bound" if problem.objective in _BOUNDED else "local"
-    for known in get_args(Method):
+    for known in get_args(SearchMethod):
         if method == known:
             if known == "bound" and problem.objective not in _BOUNDED:
                 raise NetworkError(
@@ -340,7 +340,7 @@ def _method(problem: Problem, method: str, limit: int) -> Method:
 
 def _enumerate(search: _Search, top: int, hands: Workers) -> bool:
     """Every choice; answers whether the end was reached."""
-    found: Found
+    found: BestChoices
     for found in enumerated(search.problem, top, hands.parallel, hands.jobs):
         search.kept = {
             tuple(chosen_at(search.problem, rank).tolist()): value

@@ -15,13 +15,13 @@ from cotouch.planning._judge import pulls
 from cotouch.planning._levels import level_of
 from cotouch.planning._local import swaps
 from cotouch.planning._problem import Objective, make_problem
-from cotouch.planning._result import Method
+from cotouch.planning._result import SearchMethod
 from cotouch.planning._task import admissible, rate
 
 _MOVING = ("consensus", "decay")
 
 
-def compiles(method: Literal["auto"] | Method = "auto", objective: Objective = "decay") -> bool:
+def compiles(method: Literal["auto"] | SearchMethod = "auto", objective: Objective = "decay") -> bool:
     """Whether `plan` is going to compile its kernels first, once on this machine, which takes about two minutes.
 
     Args:
@@ -36,7 +36,7 @@ def compiles(method: Literal["auto"] | Method = "auto", objective: Objective = "
     return any(cold(kernel) for kernel in needed)
 
 
-def warm(objective: Objective, method: Method, plan: Callable[..., object]) -> None:
+def warm(objective: Objective, method: SearchMethod, plan: Callable[..., object]) -> None:
     """Compiles, or reads from the disk, what a search is going to run.
 
     Args:

@@ -17,9 +17,9 @@ from cotouch.planning._task import DECAY, NOTHING, drag_of, period_of, rate
 # Users up to whom a decay that is uncertain is worked out slowly.
 _SLOW = 40
 
-Status: TypeAlias = Literal["proved", "best found"]
+PlanStatus: TypeAlias = Literal["proved", "best found"]
 WorstStatus: TypeAlias = Literal["proved", "worst found"]
-Method: TypeAlias = Literal["enumerate", "bound", "local"]
+SearchMethod: TypeAlias = Literal["enumerate", "bound", "local"]
 
 
 @final
@@ -91,8 +91,8 @@ class Plan:
 
     users: tuple[str, ...]
     objective: Objective
-    status: Status
-    method: Method
+    status: PlanStatus
+    method: SearchMethod
     best: Choice
     worst: Choice
     worst_status: WorstStatus

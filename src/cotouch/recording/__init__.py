@@ -10,7 +10,7 @@ from cotouch.recording._figures import audit_figure, save_audit_figures
 from cotouch.recording._findings import AuditFinding
 from cotouch.recording._header import RecordHeader
 from cotouch.recording._links import LinkLedger
-from cotouch.recording._play import Played, play
+from cotouch.recording._play import Replayed, replay
 from cotouch.recording._reader import read_recording
 from cotouch.recording._recorder import Recorded, Recorder, both_clocks
 from cotouch.recording._recording import RecordedEvent, Recording, Setup
@@ -25,21 +25,21 @@ __all__ = [
     "AuditFinding",
     "LinkLedger",
     "NewFile",
-    "Played",
     "RecordHeader",
     "Recorded",
     "RecordedBody",
     "RecordedEvent",
     "Recorder",
     "Recording",
+    "Replayed",
     "Setup",
     "UserLedger",
     "audit",
     "audit_figure",
     "both_clocks",
-    "play",
     "read_recording",
     "recordings_dataset",
+    "replay",
     "save_audit_figures",
     "save_dataset",
 ]

@@ -30,7 +30,7 @@ class UserLedger:
         members: came with others' joining and leaving.
         stored: at the end less at the start.
         residual: what nothing explains.
-        closure: work on the velocity that closed the steps of a body with a material; in no other book.
+        closure: work on the velocity that closed the steps of a body with a material; in no other column.
         closure_factor: greatest change of the velocity by that, |β - 1|.
         damping: least B_i there was, over the identity [Ns/m].
         asked: what the age rule asks for, for the ages that there were [Ns/m].

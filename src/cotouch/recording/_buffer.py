@@ -181,7 +181,7 @@ class Buffer:
         columns["force"] = self._force[:n, :, :axes]
         columns |= {"link_work": self._link_work[:n], "age": self._age[:n]}
         columns |= {"used": self._used[:n], "link_state": self._link_state[:n]}
-        names = ("tool_place", "tool_rate", "drive_force", "touch_force")
+        names = ("tool_position", "tool_velocity", "drive_force", "touch_force")
         columns |= {name: values[:n, :, :3] for name, values in zip(names, self._tools, strict=False)}
         columns["state_row"] = self._row[:m]
         columns |= {name: values[:m, :, :axes] for name, values in zip(("x", "v", "middle"), self._state, strict=True)}

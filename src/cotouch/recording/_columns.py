@@ -60,8 +60,8 @@ VECTORS: dict[str, tuple[str, str, str]] = {
         "links",
     ),
     "link_state": ("1", "of each link's end: 0 guarded, 1 ready, 2 coupled", "links"),
-    "tool_place": ("m", "place of every proxy after the step", "tools, 3"),
-    "tool_rate": ("m/s", "velocity of every proxy after the step", "tools, 3"),
+    "tool_position": ("m", "place of every proxy after the step", "tools, 3"),
+    "tool_velocity": ("m/s", "velocity of every proxy after the step", "tools, 3"),
     "drive_force": ("N", "mean force of what pulls each proxy", "tools, 3"),
     "touch_force": ("N", "mean force of contacts or grasp on each proxy", "tools, 3"),
 }
@@ -91,12 +91,12 @@ EXCHANGE: dict[str, tuple[str, str]] = {
 # One number for each step, of a session: what its links' tanks got of what a newcomer may have to come to the others.
 ADVANCED = "advanced"
 # Likewise, of links with a perceptual codec: how the step's sample was said to the neighbour; see `cotouch.peer`.
-SAID, UNSENT = "said", -1
+SAID = "said"
 HOW_SAID = (
     "1",
     "how each neighbour was told of the step: 0 in full numbers, 255 rounded, since how many steps it goes on, -1 not",
 )
-MIXED, UNSAID = -2, -3
+UNSAID = -3
 _TYPES = ("<f8", "<f4", "<i8", "<i4", "|i1")
 _LENGTH = struct.Struct("<I")
 _MOST_COLUMNS = 1000

@@ -46,17 +46,16 @@ _PLAIN = {
 # Of bodies with a material.
 _CLOSED_SUMS = {"world_loss": "of body_loss: lost so far in friction and damping at obstacles and between bodies"}
 _CLOSED = {
-    "closure": ("J", "work on the velocity that closed the step; in no other book"),
+    "closure": ("J", "work on the velocity that closed the step; in no other column"),
     "closure_factor": ("1", "by how much that changed the velocity, |beta - 1|"),
     "shortened": ("1", "share of the step that was given up to close it"),
     "world_stored": ("J", "of elastic: held by obstacles and between bodies"),
 }
-# By the recorded name: the one in a run, unit, meaning.
 _TOOLS = {
-    "tool_place": ("tool_position", "m", "position y of a proxy"),
-    "tool_rate": ("tool_velocity", "m/s", "velocity w of a proxy"),
-    "drive_force": ("drive_force", "N", "mean force over the step of what pulls a proxy"),
-    "touch_force": ("touch_force", "N", "mean force over the step of contacts or grasp on a proxy"),
+    "tool_position": ("m", "position y of a proxy"),
+    "tool_velocity": ("m/s", "velocity w of a proxy"),
+    "drive_force": ("N", "mean force over the step of what pulls a proxy"),
+    "touch_force": ("N", "mean force over the step of contacts or grasp on a proxy"),
 }
 
 
@@ -106,7 +105,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
             out[(at, *(slice(0, extent) for extent in np.shape(values)))] = values
         data[name] = (dims, out, {"units": unit, "long_name": text})
 
-    def column(name: str, dims: tuple[str, ...], unit: str, text: str, shown: str = "") -> None:
+    def column(name: str, dims: tuple[str, ...], unit: str, text: str) -> None:
         """One of the recorded columns, with NaN for the state before the first step."""
         parts = [
             (at, _shifted(recording.columns[name]))
@@ -114,7 +113,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
             if name in recording.columns
         ]
         if parts:
-            put(shown or name, dims, parts, unit, text)
+            put(name, dims, parts, unit, text)
 
     times = [
         np.concatenate([[begin - start], recording.columns["end"] + offset - start])
@@ -143,8 +142,8 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
         put("body_centre", ("user", "step", "body", "space"), centres, "m/s", "velocity about which that scaled it")
     forces = [_shifted(_force(recording)) for recording in recordings]
     put("force", ("user", "step", "axis"), list(enumerate(forces)), "N", "sum of the mean forces at a user's ports")
-    for name, (shown, unit, text) in _TOOLS.items():
-        column(name, ("user", "step", "tool", "space"), unit, text, shown)
+    for name, (unit, text) in _TOOLS.items():
+        column(name, ("user", "step", "tool", "space"), unit, text)
     directions = [(at, entry) for at, recording in enumerate(recordings) for entry in range(len(recording.neighbours))]
     ledger = GUARDS | EXCHANGE | {SAID: HOW_SAID}
     if directions:

@@ -19,7 +19,7 @@ def audit_figure(result: Audit) -> "Figure":
         margin = result.supplied + result.initial
         scale, unit = drawing.prefix(drawing.peak(margin), "J")
         above.plot(*drawing.decimate(result.time, margin / scale), color=drawing.USERS[0])
-        above.axhline(0.0, color=drawing.ALARM, linewidth=0.8)
+        above.axhline(0.0, color=drawing.ALARM_COLOUR, linewidth=0.8)
         above.set_ylabel(unit)
         above.set_title("Energy put in by all users, with what was there at the start: passive if never below zero")
         scale, unit = drawing.prefix(drawing.peak(result.made, result.taken), "J")

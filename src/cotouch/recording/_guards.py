@@ -11,7 +11,8 @@ Of every end of a link, as long as it has one guard, with U the energy in its sp
   newcomer's allowance, of which there is no more than was declared.
 
 Of every copy whose links a law holds that is passive by itself: what all of them did on it, by recorded motion where
-that is known, is at no time more than their seeds, the allowance and what the other ends gave, less what it gave.
+that is known, is at no time more than what they began with, the allowance and what the other ends gave, less what it
+gave.
 """
 
 from collections.abc import Iterator
@@ -36,13 +37,13 @@ class Life(NamedTuple):
     Attributes:
         user: at the other end.
         key: of that user; None: not said.
-        seed: what the tank started with; None: not said [J].
+        initial_energy: what the tank started with; None: not said [J].
         steps: rows of the recording.
     """
 
     user: int
     key: str | None
-    seed: float | None
+    initial_energy: float | None
     steps: slice
 
 
@@ -72,15 +73,15 @@ def _all_lives(recording: Recording) -> list[Life]:
     for at, setup in enumerate(recording.setups):
         first = int(np.searchsorted(index, setup.first)) if at else 0
         keys = setup.keys or (None,) * len(setup.neighbours)
-        seeds = setup.seeds or (None,) * len(setup.neighbours)
-        here = {user: (key, seed) for user, key, seed in zip(setup.neighbours, keys, seeds, strict=True)}
+        energies = setup.initial_energies or (None,) * len(setup.neighbours)
+        here = {user: (key, energy) for user, key, energy in zip(setup.neighbours, keys, energies, strict=True)}
         for user, life in list(open_now.items()):
             if user not in here or here[user][0] != life.key:
                 done.append(life._replace(steps=slice(life.steps.start, first)))
                 del open_now[user]
-        for user, (key, seed) in here.items():
+        for user, (key, energy) in here.items():
             if user not in open_now:
-                open_now[user] = Life(user, key, seed, slice(first, recording.steps))
+                open_now[user] = Life(user, key, energy, slice(first, recording.steps))
     return [*done, *open_now.values()]
 
 
@@ -106,13 +107,15 @@ def advanced(recording: Recording) -> Float:
 
 
 def started(recording: Recording) -> float:
-    """What all tanks were given once: seeds, and what they got of the allowance as far as that was declared [J]."""
+    """What all tanks were given once: what they began with, and of the allowance as far as that was declared [J]."""
     declared = max(setup.allowance for setup in recording.setups)
-    return sum(life.seed or 0.0 for life in lives(recording)) + min(float(advanced(recording).sum()), declared)
+    return sum(life.initial_energy or 0.0 for life in lives(recording)) + min(
+        float(advanced(recording).sum()), declared
+    )
 
 
 def granted(recording: Recording, user: int, key: str) -> float:
-    """What the tanks of a link had besides its own damping: seeds, and most of what others gave [J].
+    """What the tanks of a link had besides its own damping: what they began with, and most of what others gave [J].
 
     Args:
         recording: of one user.
@@ -125,7 +128,7 @@ def granted(recording: Recording, user: int, key: str) -> float:
     for life in lives(recording):
         if life.user == user and (life.key is None or not key or life.key == key):
             net = recording.columns["taken"][life.steps, column] - recording.columns["given"][life.steps, column]
-            total += (life.seed or 0.0) + float(np.nanmax(net, initial=0.0))
+            total += (life.initial_energy or 0.0) + float(np.nanmax(net, initial=0.0))
     return total
 
 
@@ -159,8 +162,8 @@ def unbalanced(recording: Recording, link: Float, local_loss: Float) -> Iterator
         follows[0] = False
         kept = book["tank"] - book["credited"] - book["taken"] + book["given"] + book["paid"] + book["discarded"]
         lacks = _rise(kept, follows)
-        if life.seed is not None:
-            lacks[0] = kept[0] - life.seed
+        if life.initial_energy is not None:
+            lacks[0] = kept[0] - life.initial_energy
         yield Unbalanced(
             life.user, "a tank does not hold what it received less what it paid", _placed(lacks, at, recording)
         )
@@ -212,8 +215,8 @@ def _unpaid(recording: Recording, link: Float) -> Float:
     for life in lives(recording):
         at, column = life.steps, recording.neighbours.index(life.user)
         net = columns["received"][at, column] - columns["sent"][at, column]
-        paid[at] += net + (life.seed or 0.0)
-        paid[at.stop :] += net[-1] + (life.seed or 0.0)
+        paid[at] += net + (life.initial_energy or 0.0)
+        paid[at.stop :] += net[-1] + (life.initial_energy or 0.0)
     beyond = np.cumsum(link.sum(axis=1)) - paid
     beyond[until:] = -np.inf
     return _rises(beyond)

@@ -57,7 +57,7 @@ def jammed_of(recording: "Recording") -> Jammed | None:
     if told is None:
         return None
     bodies = int(_part(recording).max()) + 1
-    tools = recording.columns["tool_rate"].shape[1] if "tool_rate" in recording.columns else 0
+    tools = recording.columns["tool_velocity"].shape[1] if "tool_velocity" in recording.columns else 0
     if told.shape[1:] != (bodies + tools, 3):
         raise RecordingError(f"{recording.path} does not say which of its {bodies} bodies and {tools} tools jammed")
     lost: Bool = np.logical_and.reduce(np.isfinite(told), axis=2)
@@ -74,7 +74,7 @@ def jammed_of(recording: "Recording") -> Jammed | None:
             momentum, mass = _whole(recording, int(chosen), lost[k, :bodies], setup.copies)
             if tools:
                 moving = masses * lost[k, bodies:]
-                momentum, mass = momentum + moving @ recording.columns["tool_rate"][k], mass + moving.sum()
+                momentum, mass = momentum + moving @ recording.columns["tool_velocity"][k], mass + moving.sum()
             with np.errstate(invalid="ignore", divide="ignore"):
                 about[k] = np.where(lost[k][:, None] & (about[k] != 0.0), momentum / mass, about[k])
     return Jammed(about[:, :bodies], about[:, bodies:])

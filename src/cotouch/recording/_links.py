@@ -61,7 +61,7 @@ class LinkLedger:
         whole: whether there is no gap.
         initial: energy in the spring at the beginning [J].
         unknown: share of its steps whose work is as booked.
-        granted: what the tanks of guarded ends had besides its damping: seeds, and what others gave them [J].
+        granted: what the tanks of guarded ends had besides its damping: what they began with and were given [J].
     """
 
     ends: tuple[int, int]

@@ -360,12 +360,12 @@ def _tools(recording: Recording, jammed: Jammed | None) -> tuple[Float, Float, d
     """
     columns, steps = recording.columns, recording.steps
     drive = np.array(columns["drive_work"])
-    without = "tool_rate" not in columns
+    without = "tool_velocity" not in columns
     if not without and not any(setup.tool_mass for setup in recording.setups):
         return columns["proxy"] + columns["touch_stored"], drive, {"held": np.zeros(steps)}
     rate, place, pulled, touched = (
         np.zeros((steps, 0, 3)) if without else columns[name]
-        for name in ("tool_rate", "tool_place", "drive_force", "touch_force")
+        for name in ("tool_velocity", "tool_position", "drive_force", "touch_force")
     )
     mass = np.zeros((steps, rate.shape[1]))
     for setup, span in recording.setup_rows():

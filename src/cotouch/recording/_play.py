@@ -14,7 +14,7 @@ from cotouch.recording._recording import Recording
 _SAME = 1e-9
 
 
-class Played(NamedTuple):
+class Replayed(NamedTuple):
     """One step of a recording.
 
     Attributes:
@@ -32,7 +32,7 @@ class Played(NamedTuple):
     place: Float
 
 
-def play(
+def replay(
     recording: Recording,
     *,
     speed: float = 1.0,
@@ -40,7 +40,7 @@ def play(
     stop: float = float("inf"),
     clock: Callable[[], float] = time.monotonic,
     sleep: Callable[[float], None] = time.sleep,
-) -> Generator[Played]:
+) -> Generator[Replayed]:
     """Yields the steps of a recording when they are due.
 
     Who takes them late gets the next ones at once, so that it stays in time.
@@ -76,4 +76,4 @@ def play(
         state = int(np.searchsorted(kept, row, side="right")) - 1
         if state != shown and state >= 0:
             shown, place = state, body.nodes(states["x"][state])
-        yield Played(int(row), float(ends[row]), float(columns["T"][row]), columns["force"][row], place)
+        yield Replayed(int(row), float(ends[row]), float(columns["T"][row]), columns["force"][row], place)

@@ -58,7 +58,7 @@ class Setup(NamedTuple):
         link_damping: share of B_i of each link [Ns/m]; None: not said.
         rounding: most that a coordinate of a sample may differ from what was sent [m].
         keys: of the users at the other ends; None: not said.
-        seeds: what the tank of each link started with [J]; None: not said.
+        initial_energies: what the tank of each link started with [J]; None: not said.
         allowance: what all tanks may get once besides, to come to where the others are [J].
         codec: how the user's samples are said; None: in full.
         law: of the links; whatever is no "spring" has no strength, and its work is as booked, judged by their sum.
@@ -76,7 +76,7 @@ class Setup(NamedTuple):
     link_damping: tuple[float, ...] | None
     rounding: float
     keys: tuple[str, ...] | None = None
-    seeds: tuple[float, ...] | None = None
+    initial_energies: tuple[float, ...] | None = None
     allowance: float = 0.0
     law: str = "spring"
     codec: Codec | None = None
@@ -331,7 +331,9 @@ def _setup(event: RecordedEvent) -> Setup:
             link_damping=None if shared is None else tuple(map(float, shared)),
             rounding=float(said["rounding"]),
             keys=None if said.get("keys") is None else tuple(map(str, said["keys"])),
-            seeds=None if said.get("seeds") is None else tuple(map(float, said["seeds"])),
+            initial_energies=None
+            if said.get("initial_energies") is None
+            else tuple(map(float, said["initial_energies"])),
             allowance=float(said.get("allowance", 0.0)),
             law=str(said.get("law", "spring")),
             codec=_codec(said.get("codec")),
@@ -339,7 +341,7 @@ def _setup(event: RecordedEvent) -> Setup:
     except (KeyError, TypeError, ValueError) as error:
         raise RecordingError(f"a setup of the recording cannot be read: {error!r}") from None
     sizes = {len(neighbours), len(setup.strength), len(setup.weight)}
-    sizes |= {len(more) for more in (setup.keys, setup.seeds) if more is not None}
+    sizes |= {len(more) for more in (setup.keys, setup.initial_energies) if more is not None}
     if len(sizes) > 1 or setup.copies < 1:
         raise RecordingError(f"a setup of the recording has {len(neighbours)} neighbours and lists of other lengths")
     return setup

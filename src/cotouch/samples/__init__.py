@@ -1,12 +1,12 @@
 """What neighbours tell each other many times a second: datagrams sealed, sent, put together, and how old they are."""
 
-from cotouch.samples._address import Address, flaw, numeric, origin, plain
+from cotouch.samples._address import Address, flaw, numeric, origin, plain_address
 from cotouch.samples._ages import AgeWindow, LinkAges
-from cotouch.samples._agreement import Agreement, Progress
+from cotouch.samples._agreement import Agreement
 from cotouch.samples._assembly import Assembly
 from cotouch.samples._budget import MOST_AGE, BudgetAgreement
 from cotouch.samples._chunk import Chunk, Coded, Heading, Refusal, Written
-from cotouch.samples._codec import Codec
+from cotouch.samples._codec import SampleCodec
 from cotouch.samples._coded import CodedLink
 from cotouch.samples._emulated_path import EmulatedPath, PathLaw
 from cotouch.samples._impaired import ImpairedTransport
@@ -19,7 +19,7 @@ from cotouch.samples._plane import SampleLink, SamplePlane
 from cotouch.samples._rate import LOWEST_RATE, SendRate, Trend
 from cotouch.samples._replay import ReplayWindow
 from cotouch.samples._seal import MOST_SEALED, OVERHEAD, RENEW_EVERY, Opened, SealedLink, connection_of
-from cotouch.samples._transport import MOST_BYTES, Arrival, Ground, Traffic, Transport
+from cotouch.samples._transport import MOST_BYTES, AddressedTransport, Arrival, Traffic, Transport
 from cotouch.samples._udp import UdpTransport
 
 __all__ = [
@@ -31,6 +31,7 @@ __all__ = [
     "OVERHEAD",
     "RENEW_EVERY",
     "Address",
+    "AddressedTransport",
     "AgeWindow",
     "Agreement",
     "Arrival",
@@ -38,14 +39,12 @@ __all__ = [
     "Bucket",
     "BudgetAgreement",
     "Chunk",
-    "Codec",
     "Coded",
     "CodedLink",
     "DirectionKeys",
     "EmulatedPath",
     "Encoding",
     "Entropy",
-    "Ground",
     "Heading",
     "Identity",
     "ImpairedTransport",
@@ -57,9 +56,9 @@ __all__ = [
     "MemoryTransport",
     "Opened",
     "PathLaw",
-    "Progress",
     "Refusal",
     "ReplayWindow",
+    "SampleCodec",
     "SampleLink",
     "SamplePlane",
     "SealedLink",
@@ -74,5 +73,5 @@ __all__ = [
     "flaw",
     "numeric",
     "origin",
-    "plain",
+    "plain_address",
 ]

@@ -30,7 +30,7 @@ def numeric(host: str) -> Numeric:
         raise SessionError(f"host {host!r} is not a numeric address, such as 127.0.0.1 or ::1") from None
 
 
-def plain(source: object) -> Address | None:
+def plain_address(source: object) -> Address | None:
     """A source of datagrams in the one form that compares: IPv4 within IPv6 becomes IPv4. None: it is no address."""
     match source:
         case (str(host), int(port)) if isinstance(source, tuple):

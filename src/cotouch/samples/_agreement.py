@@ -49,7 +49,7 @@ _SIZES = {
 }
 
 
-class Progress(NamedTuple):
+class AgreementStep(NamedTuple):
     """What a message led to.
 
     Attributes:
@@ -138,79 +138,79 @@ class Agreement(Unique):
         self._hello = (hello, ephemeral)
         return self._tagged(hello)
 
-    def receive(self, message: bytes) -> Progress:
+    def receive(self, message: bytes) -> AgreementStep:
         """Takes a message of the other end, or what is said to be one; never raises for what is in it."""
         kind = message[4] if len(message) > 4 and message[:4] == _MAGIC else 0
         size = _SIZES.get(kind)
         if size is None or len(message) != size or (kind == _REPLY) is not self.initiator or not self.here:
-            return Progress(refused="not a message for this end")
+            return AgreementStep(refused="not a message for this end")
         said = message[:-_TAG]
         if not hmac.compare_digest(message, self._tagged(said)):
-            return Progress(refused="another session, secret or other members")
+            return AgreementStep(refused="another session, secret or other members")
         if kind == _HELLO:
             return self._answer(said)
         return self._conclude(said) if kind == _REPLY else self._accept(said)
 
-    def _answer(self, hello: bytes) -> Progress:
+    def _answer(self, hello: bytes) -> AgreementStep:
         if hello in self._answered:
-            return Progress(message=self._answered[hello])
+            return AgreementStep(message=self._answered[hello])
         body, signature = hello[: _OPENING.size], hello[_OPENING.size :]
         _, _, epoch, connection, theirs, context = _OPENING.unpack(body)
         if context != self._context:
-            return Progress(refused="another session or other members")
+            return AgreementStep(refused="another session or other members")
         if not self._signed(b"hello", body, signature):
-            return Progress(refused="signature")
+            return AgreementStep(refused="signature")
         epoch = max(epoch, self.epoch + 1)
         if epoch > min(_LAST_EPOCH, self.epoch + _MOST_LEAP):
-            return Progress(refused="epoch")
+            return AgreementStep(refused="epoch")
         ephemeral = X25519PrivateKey.from_private_bytes(self._entropy(32))
         mine = ephemeral.public_key().public_bytes_raw()
         answer = _OPENING.pack(_MAGIC, _REPLY, epoch, self._connection, mine, hashlib.sha256(hello).digest())
         said = hashlib.sha256(hello + answer).digest()
         secrets = self._derive(ephemeral, theirs, said, epoch, connection)
         if secrets is None:
-            return Progress(refused="ephemeral key")
+            return AgreementStep(refused="ephemeral key")
         reply = self._tagged(answer + self._sign(b"reply", said) + secrets.responder_proof)
         while len(self._pending) >= _MOST_PENDING:
             del self._pending[next(iter(self._pending))]
             del self._answered[next(iter(self._answered))]
         self._answered[hello], self._pending[said] = reply, secrets
-        return Progress(message=reply)
+        return AgreementStep(message=reply)
 
-    def _conclude(self, reply: bytes) -> Progress:
+    def _conclude(self, reply: bytes) -> AgreementStep:
         answer, signature = reply[: _OPENING.size], reply[_OPENING.size : -_PROOF]
         _, _, epoch, connection, theirs, about = _OPENING.unpack(answer)
         if self._hello is None or about != hashlib.sha256(self._hello[0]).digest():
-            return Progress(refused="no reply to the last hello")
+            return AgreementStep(refused="no reply to the last hello")
         hello, ephemeral = self._hello
         said = hashlib.sha256(hello + answer).digest()
         if not self._signed(b"reply", said, signature):
-            return Progress(refused="signature")
+            return AgreementStep(refused="signature")
         secrets = self._derive(ephemeral, theirs, said, epoch, connection)
         if secrets is None or not self.epoch < epoch <= min(_LAST_EPOCH, self.epoch + _MOST_LEAP):
-            return Progress(refused="epoch or ephemeral key")
+            return AgreementStep(refused="epoch or ephemeral key")
         if not hmac.compare_digest(reply[-_PROOF:], secrets.responder_proof):
-            return Progress(refused="another secret")
+            return AgreementStep(refused="another secret")
         self.epoch, self._hello = epoch, None
         body = _CLOSING.pack(_MAGIC, _CONFIRM, said)
         confirm = self._tagged(body + self._sign(b"confirm", said) + secrets.initiator_proof)
-        return Progress(message=confirm, keys=secrets.keys)
+        return AgreementStep(message=confirm, keys=secrets.keys)
 
-    def _accept(self, confirm: bytes) -> Progress:
+    def _accept(self, confirm: bytes) -> AgreementStep:
         _, _, said = _CLOSING.unpack(confirm[: _CLOSING.size])
         secrets = self._pending.get(said)
         if secrets is None:
-            return Progress(refused="no confirmation of what was replied")
+            return AgreementStep(refused="no confirmation of what was replied")
         if not self._signed(b"confirm", said, confirm[_CLOSING.size : -_PROOF]):
-            return Progress(refused="signature")
+            return AgreementStep(refused="signature")
         if not hmac.compare_digest(confirm[-_PROOF:], secrets.initiator_proof):
-            return Progress(refused="another secret")
+            return AgreementStep(refused="another secret")
         if secrets.keys.epoch <= self.epoch:
-            return Progress(refused="epoch")
+            return AgreementStep(refused="epoch")
         self.epoch = secrets.keys.epoch
         self._pending.clear()
         self._answered.clear()
-        return Progress(keys=secrets.keys)
+        return AgreementStep(keys=secrets.keys)
 
     def _derive(
         self, ephemeral: X25519PrivateKey, theirs: bytes, said: bytes, epoch: int, connection: int

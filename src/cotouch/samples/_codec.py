@@ -51,7 +51,7 @@ _FEW = 16
 
 
 @final
-class Codec:
+class SampleCodec:
     """Writes and reads samples of one layout."""
 
     def __init__(self, layout: Layout) -> None:

@@ -6,7 +6,7 @@ from typing import final
 from cotouch.arrays import Float
 from cotouch.peer import Decoder, Encoder, Sample
 from cotouch.samples._chunk import RENEW, Chunk, Coded, Heading, Refusal
-from cotouch.samples._codec import Codec
+from cotouch.samples._codec import SampleCodec
 from cotouch.samples._layout import HEAD_BYTES, Layout
 from cotouch.samples._seal import OVERHEAD
 
@@ -43,7 +43,9 @@ class CodedLink:
         self.age = layout.form.codec.age
         self._told = -float("inf")
 
-    def say(self, codec: Codec, heading: Heading, sample: Sample, mean: Float, T: float, *, exact: bool) -> list[bytes]:
+    def say(
+        self, codec: SampleCodec, heading: Heading, sample: Sample, mean: Float, T: float, *, exact: bool
+    ) -> list[bytes]:
         """Datagrams, still open: of every chunk its content, or of all together that they go on.
 
         Args:
@@ -61,7 +63,7 @@ class CodedLink:
             self._told = heading.stamp
         return [codec.coded(heading, None if goes_on else at, data, brief=brief) for at, data in enumerate(words)]
 
-    def hear(self, codec: Codec, coded: Coded) -> list[Chunk] | Refusal:
+    def hear(self, codec: SampleCodec, coded: Coded) -> list[Chunk] | Refusal:
         """The chunks that are meant, or why there are none.
 
         Args:

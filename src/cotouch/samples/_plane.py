@@ -11,7 +11,7 @@ from cotouch.peer import MOST_AHEAD, LawLink, LinkGuard, Sample
 from cotouch.samples._ages import LinkAges
 from cotouch.samples._assembly import Assembly
 from cotouch.samples._chunk import AGED, BRIEF, ECHO, RENEW, Chunk, Coded, Heading, Refusal, Written
-from cotouch.samples._codec import Codec
+from cotouch.samples._codec import SampleCodec
 from cotouch.samples._coded import CodedLink
 from cotouch.samples._indexed import IndexedAssembly
 from cotouch.samples._layout import Layout
@@ -152,7 +152,7 @@ class SamplePlane:
         self.refused: Counter[Refusal] = Counter()
         self.unsent = False
         self._transport = transport
-        self._codec = Codec(layout)
+        self._codec = SampleCodec(layout)
         self._by_number: dict[int | None, tuple[int, SampleLink]] = {}
         self._early: list[Arrival] = []
 

@@ -115,7 +115,7 @@ class Transport(Protocol):
         ...
 
 
-class Ground(Transport, Protocol):
+class AddressedTransport(Transport, Protocol):
     """A transport over a socket of addresses, on which ways can be looked for; `UdpTransport` is one."""
 
     @property

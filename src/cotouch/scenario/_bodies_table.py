@@ -2,9 +2,8 @@
 
 import math
 import re
-from collections.abc import Mapping
 from dataclasses import replace
-from typing import Annotated, Self, cast, final
+from typing import Annotated, Self, final
 
 from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
@@ -12,7 +11,7 @@ from cotouch.body import Body, Placed, scaled
 from cotouch.errors import BodyError, ScenarioError
 from cotouch.mechanics import Between
 from cotouch.scenario._body_tables import BodySource, FileTable
-from cotouch.scenario._tables import MeetingTable, Number, Place, Table
+from cotouch.scenario._tables import MeetingTable, Number, Place, Table, split_table
 
 _MOST = 64
 # Strains of what is rigid swing at most so many times as fast; beyond, rounding of its place counts.
@@ -46,13 +45,7 @@ class PartTable(Table):
     @classmethod
     def _split(cls, given: object) -> object:
         """In a file the body's own options stand beside these."""
-        if not isinstance(given, Mapping):
-            return given
-        table = cast("Mapping[str, object]", given)
-        if "body" in table:
-            return table
-        own = {name: table[name] for name in _OWN if name in table}
-        return {**own, "body": {name: value for name, value in table.items() if name not in _OWN}}
+        return given if (parts := split_table(given, "body", _OWN)) is None else {**parts[0], "body": parts[1]}
 
     @model_serializer(mode="wrap")
     def _joined(self, handler: SerializerFunctionWrapHandler) -> dict[str, object]:

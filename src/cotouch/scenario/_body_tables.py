@@ -18,21 +18,18 @@ from cotouch.body import (
     MOST_ELEMENTS,
     MOST_NODES,
     MOST_TRIANGLES,
-    SURFACES,
-    VOLUMES,
     Body,
-    Box,
     Frame,
     GridModel,
     Held,
     NodeSet,
-    Plane,
+    NodesInBox,
+    NodesNearPlane,
     SurfaceModel,
     body_from_surface,
     body_from_tetrahedra,
     chain,
     is_solid_model,
-    is_surface,
     lattice,
     point,
     rigid_box,
@@ -41,6 +38,7 @@ from cotouch.body import (
     solid_models,
 )
 from cotouch.errors import ScenarioError
+from cotouch.meshfile import SURFACES, VOLUMES, is_surface
 from cotouch.scenario._tables import NonNegative, Number, Place, Positive, Table
 
 
@@ -173,7 +171,7 @@ class MatrixTable(Table):
 
 
 @final
-class PlaneTable(Table):
+class NodesNearPlaneTable(Table):
     """The nodes within `thickness` [m] of the plane through `point` [m] across `normal`."""
 
     point: Place
@@ -182,7 +180,7 @@ class PlaneTable(Table):
 
 
 @final
-class BoxTable(Table):
+class NodesInBoxTable(Table):
     """The nodes in a box along the axes, from `low` to `high` [m]."""
 
     low: Place
@@ -193,8 +191,8 @@ class BoxTable(Table):
 class GroundTable(Table):
     """Where the ground holds: one of a plane, a box, and a set of nodes or physical group that the file names."""
 
-    plane: PlaneTable | None = None
-    box: BoxTable | None = None
+    plane: NodesNearPlaneTable | None = None
+    box: NodesInBoxTable | None = None
     set: str | None = None
 
     @model_validator(mode="after")
@@ -206,9 +204,9 @@ class GroundTable(Table):
     def held(self) -> Held:
         """As a builder wants it."""
         if self.plane is not None:
-            return Plane(point=self.plane.point, normal=self.plane.normal, thickness=self.plane.thickness)
+            return NodesNearPlane(point=self.plane.point, normal=self.plane.normal, thickness=self.plane.thickness)
         if self.box is not None:
-            return Box(low=self.box.low, high=self.box.high)
+            return NodesInBox(low=self.box.low, high=self.box.high)
         assert self.set is not None
         return NodeSet(name=self.set)
 
@@ -319,6 +317,10 @@ class FileTable(Table):
     @classmethod
     def make(cls, *, source: str, **options: object) -> "FileTable":
         """Makes a table; errors are one sentence each.
+
+        Args:
+            source: what a message calls it.
+            **options: of the table, by name.
 
         Raises:
             ScenarioError: an option is wrong.

@@ -9,7 +9,7 @@ from pydantic import Discriminator, Field, SerializerFunctionWrapHandler, Tag, m
 from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.scenario._body_tables import FileTable, RigidBoxTable, RigidCylinderTable, RigidSphereTable
-from cotouch.scenario._tables import Firm, NonNegative, Number, Place, Positive, Table, check_times
+from cotouch.scenario._tables import Firm, NonNegative, Number, Place, Positive, Table, check_times, split_table
 from cotouch.scenario._tool_tables import RIGID, SimulatedDeviceTable, ToolHand, ToolPath, ToolTable
 
 _OWN = ("user", "at", "turn", "handle", "hand", "device")
@@ -70,7 +70,7 @@ class PoseHand(Table):
         return np.array([[*row, *[0.0] * (7 - len(row))] for row in rows])
 
 
-Solid = Annotated[
+RigidToolSolid = Annotated[
     Annotated[RigidBoxTable, Tag("box")]
     | Annotated[RigidCylinderTable, Tag("cylinder")]
     | Annotated[RigidSphereTable, Tag("sphere")]
@@ -100,19 +100,15 @@ class RigidToolTable(Table):
     handle: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
     hand: PoseHand | None = None
     device: SimulatedDeviceTable | None = None
-    solid: Solid
+    solid: RigidToolSolid
 
     @model_validator(mode="before")
     @classmethod
     def _split(cls, given: object) -> object:
         """In a file the shape's own options stand beside these."""
-        if not isinstance(given, Mapping):
+        if (parts := split_table(given, "solid", _OWN)) is None:
             return given
-        table = cast("Mapping[str, object]", given)
-        if "solid" in table:
-            return table
-        own = {name: table[name] for name in _OWN if name in table}
-        solid = {name: value for name, value in table.items() if name not in _OWN}
+        own, solid = parts
         if solid.setdefault("kind", "file") == "file" and solid.setdefault("model", "rigid") != "rigid":
             raise ValueError(f'model is "{solid["model"]}", but a tool is rigid; leave it out')
         return {**own, "solid": solid}

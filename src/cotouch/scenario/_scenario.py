@@ -24,15 +24,7 @@ from cotouch.scenario._law_choice import choose_law, with_law_of_session
 from cotouch.scenario._messages import sentence
 from cotouch.scenario._rigid_tool_table import RigidToolTable, ToolSource
 from cotouch.scenario._rigid_tools import placed_tools, refuse_unfit
-from cotouch.scenario._tables import (
-    HandTable,
-    Initial,
-    RecordTable,
-    Solver,
-    Steps,
-    Synchronisation,
-    Table,
-)
+from cotouch.scenario._tables import HandTable, Initial, RecordTable, Solver, Steps, Synchronisation, Table
 from cotouch.scenario._tool_tables import ContactTable, CuttingTable, ToolTable
 from cotouch.scenario._traces import Trace
 from cotouch.scenario._world_table import WorldTable
@@ -155,6 +147,10 @@ class Scenario(Table):
     @classmethod
     def make(cls, *, source: str = _UNNAMED, **tables: object) -> "Scenario":
         """Makes a scenario from tables or objects; errors are one sentence each.
+
+        Args:
+            source: what a message calls it.
+            **tables: of the scenario, by name.
 
         Raises:
             ScenarioError: a table or value is wrong.

@@ -81,6 +81,21 @@ def check_times(begin: float, release: float | None, waypoints: Sequence[float] 
 Place = Annotated[list[Coordinate], Field(min_length=3, max_length=3)]
 
 
+def split_table(given: object, inner: str, own: Sequence[str]) -> tuple[dict[str, object], dict[str, object]] | None:
+    """A table in which another's options stand beside its own, as in a file, in two; None: it holds that as a table.
+
+    Args:
+        given: what was given for the table.
+        inner: name of the other.
+        own: options of the table itself.
+    """
+    table = cast("Mapping[str, object]", given) if isinstance(given, Mapping) else {inner: given}
+    if inner in table:
+        return None
+    rest = {name: value for name, value in table.items() if name not in own}
+    return {name: table[name] for name in own if name in table}, rest
+
+
 @final
 class Random(Table):
     """Step lengths drawn anew for every step and user, uniformly between two bounds [s]."""
@@ -133,13 +148,13 @@ class Synchronisation(Table):
         damping: "rule", "minimax" (smallest largest B_i), "exact" (constant mode with one common step length), or B_i
             itself, one number or one for each user [Ns/m]; by default what the law needs.
         law: what a link does: the name of a law, or a table of its name as `kind` and parameters; see `Scenario.law`.
-        scale: multiplies the damping; below 1 nothing is guaranteed.
+        damping_scale: multiplies the damping; below 1 nothing is guaranteed.
         extra_damping: B_e, one number or one for each user [Ns/m].
         index_delay: N_ij in steps, [i][j] from j to i; by default from the channel's delays.
         quantile: share of this run's samples that N_ij ("constant", "self-paced") or the age budget ("freshest") must
             cover; by default all, and 99 % where self-pacing waits for the rest.
-        longest: bound on T_i(k), in the longest of the user's own steps. "self-paced": what passes beyond it is made up
-            later; by default twice the mean pace of this run. "constant": a step that lasts longer is refused; by
+        max_step: bound on T_i(k), in the longest of the user's own steps. "self-paced": what passes beyond it is made
+            up later; by default twice the mean pace of this run. "constant": a step that lasts longer is refused; by
             default none is.
     """
 

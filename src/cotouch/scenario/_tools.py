@@ -24,8 +24,8 @@ from cotouch.mechanics import (
     BLADE,
     END,
     GRASP,
-    TOUCH,
     TOUCH_LEDGER,
+    TOUCHING,
     Model,
     Ports,
     checked_toll,
@@ -43,7 +43,7 @@ from cotouch.scenario._penetration import resolve_penetration
 from cotouch.scenario._tool_tables import DEFAULT_RATE, ContactTable, SimulatedDeviceTable, ToolHand, ToolTable
 from cotouch.scenario._touching import Touching
 
-_KINDS = {"touch": TOUCH, "grasp": GRASP, "blade": BLADE}
+_KINDS = {"touch": TOUCHING, "grasp": GRASP, "blade": BLADE}
 # Ticks from a coupling's decision until its force acts: as a real servo, which decides while the force before acts.
 _LATENCY = 1
 

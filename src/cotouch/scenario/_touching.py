@@ -30,7 +30,7 @@ class Touching(NamedTuple):
         tools: the proxies.
         contact: the law by which they touch, and scratch.
         first: first tool of each user, (users + 1,).
-        kind: what each does while it acts, TOUCH or GRASP, (tools,).
+        kind: what each does while it acts, TOUCHING or GRASP, (tools,).
         begin: it acts from here, (tools,) [s].
         release: to here, (tools,) [s].
         hands: drives of the tools without a device, one port for each tool.
@@ -39,7 +39,7 @@ class Touching(NamedTuple):
         devices: the devices.
         states: where they are.
         couplings: which drives which tool.
-        ledger: result of one step, (TOUCH_BOOKS,).
+        ledger: result of one step, (TOUCH_LEDGER,).
     """
 
     surface: Surface
@@ -70,7 +70,7 @@ class ToolRecord(NamedTuple):
         touching: 1 where the skin pushed, or how many nodes were held, (tools, records).
         device_place: measured place of the device in the body's frame, (tools, records, 4) [m].
         device_force: that its motors hold, (tools, records, 4) [N].
-        device_ledger: (len(DEVICE_BOOKS), tools, records), see there.
+        device_ledger: (len(DEVICE_LEDGER), tools, records), see there.
         coupling: work of the coupling on the proxy; largest excess; what nobody pays for; what the proxy's end has,
             (4, tools, records) [J].
     """

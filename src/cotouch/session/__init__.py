@@ -6,7 +6,7 @@ from cotouch.session._demo_session_api import DemoSessionApi
 from cotouch.session._held import device_choices
 from cotouch.session._join import fetch_session, join
 from cotouch.session._keep import identity_folder
-from cotouch.session._measure import Measured, measure, measured
+from cotouch.session._measure import MeasuredNetwork, measure, measured_network
 from cotouch.session._member_session_api import MemberSessionApi, member_session_api
 from cotouch.session._open import OpenHost, open_host, watching
 from cotouch.session._planner import LinkPlanner
@@ -16,7 +16,7 @@ __all__ = [
     "DemoOutcome",
     "DemoSessionApi",
     "LinkPlanner",
-    "Measured",
+    "MeasuredNetwork",
     "MemberProcess",
     "MemberSessionApi",
     "OpenHost",
@@ -27,7 +27,7 @@ __all__ = [
     "identity_folder",
     "join",
     "measure",
-    "measured",
+    "measured_network",
     "member_session_api",
     "open_host",
     "play",

@@ -11,7 +11,7 @@ from typing import Any, final
 from cotouch.errors import SessionError
 from cotouch.hands import CommandedHand
 from cotouch.interrupt import interruptible
-from cotouch.members import ALARM, SessionFile, SharedModel, Slot
+from cotouch.members import TOTALS_ALARM, SessionFile, SharedModel, Slot
 from cotouch.observers import mailbox_folder
 from cotouch.session._demo_session_api import DemoSessionApi
 from cotouch.session._open import open_host
@@ -202,9 +202,9 @@ def _summed(api: DemoSessionApi, seconds: float, *, left: bool) -> DemoOutcome:
     residual = max((status["residual"] for status in known), default=0.0)
     links = [link for status in known for link in status["links"]]
     apart = max((link["difference"] for link in links if link["difference"] is not None), default=0.0)
-    if supplied + had < -ALARM * max(lost, abs(supplied)) and not acted:
+    if supplied + had < -TOTALS_ALARM * max(lost, abs(supplied)) and not acted:
         complaints.append(f"the hands took out {-supplied - had:.3g} J that nobody had put in")
-    if residual > ALARM:
+    if residual > TOTALS_ALARM:
         complaints.append(f"the energy ledger is off by {residual:.1e} of the energy in play")
     # One that is ready has caught up, and waits for as long as its budgets.
     loose = sorted(

@@ -12,7 +12,8 @@ import numpy as np
 
 from cotouch.errors import NetworkError, SessionError
 from cotouch.hands import usual_stiffness
-from cotouch.members import Pair, Roster, SessionFile, SharedModel
+from cotouch.members import Roster, SessionFile, SharedModel
+from cotouch.network import Pair
 from cotouch.observers import (
     ChildCall,
     ChooseLinks,

@@ -11,7 +11,7 @@ from tempfile import TemporaryDirectory
 from cotouch.control import ControlPlane, Invitation, ZenohControl
 from cotouch.errors import TransportError
 from cotouch.interrupt import interruptible
-from cotouch.members import Part, PartOutcome, SessionFile, SharedModel, Slot
+from cotouch.members import Participation, ParticipationOutcome, SessionFile, SharedModel, Slot
 from cotouch.pacing import few_arenas
 from cotouch.recording import NewFile
 from cotouch.samples import Identity
@@ -50,12 +50,12 @@ def fetch_session(control: ControlPlane, invitation: Invitation, folder: Path) -
 
 def join(
     invitation: Invitation,
-    part: Part,
+    part: Participation,
     *,
     warn: Callable[[str], None] | None = None,
     say: Callable[[str], None] | None = None,
     stopped: Callable[[], bool] = lambda: False,
-) -> PartOutcome:
+) -> ParticipationOutcome:
     """Takes part until time is up, the host ends the session, or it is told to stop.
 
     Args:
@@ -84,12 +84,12 @@ def join(
 
 def _joined(
     invitation: Invitation,
-    part: Part,
+    part: Participation,
     file: NewFile | None,
     warn: Callable[[str], None],
     tell: Callable[[str], None],
     stopped: Callable[[], bool],
-) -> PartOutcome:
+) -> ParticipationOutcome:
     few_arenas()
     if part.device is not None:
         tell("opening the device")
@@ -127,7 +127,7 @@ def looking_on(invitation: Invitation, listen: str | None) -> closing[ZenohContr
 
 
 @contextmanager
-def _identity(invitation: Invitation, part: Part, warn: Callable[[str], None]) -> Generator[Identity]:
+def _identity(invitation: Invitation, part: Participation, warn: Callable[[str], None]) -> Generator[Identity]:
     """Who this member is: as before a crash, if that is kept."""
     kept: KeptIdentity | None = None
     if part.identities is not None:

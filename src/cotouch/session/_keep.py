@@ -15,7 +15,7 @@ from cotouch.control import Invitation
 from cotouch.errors import SessionError, TransportError
 from cotouch.files import read_text
 from cotouch.files import write as put
-from cotouch.members import Decision, SessionFile, genuine, write
+from cotouch.members import Decision, SessionFile, genuine, write_message
 from cotouch.samples import Entropy, Identity
 
 _MOST = 1 << 20  # [B]
@@ -47,7 +47,7 @@ def keep_host(path: Path, kept: KeptHost) -> None:
     Raises:
         OutputError: it cannot be written; what was there still is.
     """
-    decision = None if kept.decision is None else json.loads(write(kept.decision))
+    decision = None if kept.decision is None else json.loads(write_message(kept.decision))
     text = {"identity": kept.identity.secret.hex(), "invitation": kept.invitation.encode(), "decided": decision}
     put(path, json.dumps(text).encode(), "session's keys", private=True)
 

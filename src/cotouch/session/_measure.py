@@ -11,8 +11,8 @@ import numpy as np
 
 from cotouch.control import Invitation
 from cotouch.errors import SessionError
-from cotouch.members import Pair, SessionFile, SessionWatch, delays_of
-from cotouch.network import Network
+from cotouch.members import SessionFile, SessionWatch, delays_of
+from cotouch.network import Network, Pair
 from cotouch.session._join import fetch_session, looking_on
 
 _POLL = 0.02
@@ -20,7 +20,7 @@ _POLL = 0.02
 
 @final
 @dataclass(frozen=True, kw_only=True)
-class Measured:
+class MeasuredNetwork:
     """The network of a session as it is.
 
     Attributes:
@@ -52,7 +52,7 @@ class Measured:
         return "\n".join(lines) + "\n"
 
 
-def measured(watch: SessionWatch, session: SessionFile) -> Measured:
+def measured_network(watch: SessionWatch, session: SessionFile) -> MeasuredNetwork:
     """What members have said of their ways so far.
 
     Args:
@@ -78,7 +78,7 @@ def measured(watch: SessionWatch, session: SessionFile) -> Measured:
         links=[(index[a], index[b]) for a, b in watch.roster.links if a in index and b in index],
     )
     missing = [(index[a], index[b]) for a, b in pairs if (a, b) not in paths]
-    return Measured(network=network, missing=missing, emulated=session.options.emulate)
+    return MeasuredNetwork(network=network, missing=missing, emulated=session.options.emulate)
 
 
 def measure(
@@ -87,7 +87,7 @@ def measure(
     seconds: float,
     listen: str | None = None,
     stopped: Callable[[], bool] = lambda: False,
-) -> Measured:
+) -> MeasuredNetwork:
     """Watches a session without taking part.
 
     Args:
@@ -108,7 +108,7 @@ def measure(
         while time.monotonic() < end and not stopped():
             watch.service(time.monotonic())
             time.sleep(_POLL)
-        return measured(watch, session)
+        return measured_network(watch, session)
 
 
 def _text(name: str) -> str:

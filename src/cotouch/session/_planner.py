@@ -6,8 +6,8 @@ import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.errors import CotouchError, SessionError, UnsupportedError
-from cotouch.members import Pair, SessionFile, delays_of
-from cotouch.network import Network
+from cotouch.members import SessionFile, delays_of
+from cotouch.network import Network, Pair
 from cotouch.observers import ChildCall
 from cotouch.planning import Objective, Plan, compiles, modes_of, plan, worked
 

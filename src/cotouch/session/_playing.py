@@ -16,8 +16,8 @@ from cotouch.members import (
     Member,
     NoHand,
     Pace,
-    Part,
-    PartOutcome,
+    Participation,
+    ParticipationOutcome,
     RoutedPaths,
     ScriptedHand,
     SessionFile,
@@ -44,14 +44,14 @@ def take_part(
     replica: SharedModel,
     control: ZenohControl,
     invitation: Invitation,
-    part: Part,
+    part: Participation,
     held: HeldDevice,
     *,
     stopped: Callable[[], bool],
     warn: Callable[[str], None],
     say: Callable[[str], None],
     file: NewFile | None = None,
-) -> PartOutcome:
+) -> ParticipationOutcome:
     """Moves a copy in time until its part is over.
 
     Args:
@@ -166,7 +166,7 @@ def take_part(
         member.leave()
         if session_recorder is not None:
             session_recorder.close()
-        return PartOutcome(
+        return ParticipationOutcome(
             name=part.name,
             slot=member.slot,
             status=status,
@@ -184,7 +184,7 @@ def take_part(
         (routed if impaired is None else impaired).close()
 
 
-def hand_of(part: Part, held: HeldDevice, slot: Slot, telemetry: TelemetryPublisher | None = None) -> Hand:
+def hand_of(part: Participation, held: HeldDevice, slot: Slot, telemetry: TelemetryPublisher | None = None) -> Hand:
     """What moves the copy.
 
     Args:

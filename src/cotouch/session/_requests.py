@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 
 from cotouch.body import Body
 from cotouch.errors import SessionError
-from cotouch.members import Pair
+from cotouch.network import Pair
 from cotouch.observers import FARTHEST, MOST_TURN, ChooseLinks, Cut, HandMode, Impair, MoveHand, Pointer
 
 # What a hand can be told in a word, and how that is said.

@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from cotouch.body import Body
-from cotouch.members import Pair, SessionEvent, SessionFile, SessionWatch
+from cotouch.members import SessionEvent, SessionFile, SessionWatch
+from cotouch.network import Pair
 from cotouch.observers import (
     ChooseLinks,
     Command,

@@ -1,12 +1,12 @@
 """Many virtual peers on a virtual network: scenario in, labelled result out."""
 
 from cotouch.simulation._animation import HTML, Animation, PortTracks, ToolTracks, UserSeries
-from cotouch.simulation._batch import Outcome, Traffic, run_batch
+from cotouch.simulation._batch import Outcome, run_batch
 from cotouch.simulation._body_report import BodyReport, body_report, save_body_figure
 from cotouch.simulation._channel import start_of
 from cotouch.simulation._figures import FIGURES, figures, save_figures, shade_hold
 from cotouch.simulation._law_setup import facts_of, given_law
-from cotouch.simulation._layout import TOOL_LEDGER, USER_LEDGER
+from cotouch.simulation._layout import TICK_RESIDUAL, TICK_STORED, TOOL_LEDGER, USER_LEDGER
 from cotouch.simulation._metrics import (
     at_times,
     discrepancy,
@@ -29,6 +29,8 @@ from cotouch.simulation._tables import tables  # pyright: ignore[reportUnknownVa
 __all__ = [
     "FIGURES",
     "HTML",
+    "TICK_RESIDUAL",
+    "TICK_STORED",
     "TOOL_LEDGER",
     "USER_LEDGER",
     "Animation",
@@ -44,7 +46,6 @@ __all__ = [
     "Summary",
     "ToolSummary",
     "ToolTracks",
-    "Traffic",
     "UserSeries",
     "animation",
     "at_times",

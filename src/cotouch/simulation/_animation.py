@@ -16,7 +16,7 @@ from cotouch import drawing
 from cotouch.arrays import Int, Single
 from cotouch.body import DrawnPart, Skin
 from cotouch.errors import BodyError, InputError, NetworkError
-from cotouch.files import prepare, write
+from cotouch.files import check_writable, write
 from cotouch.mechanics import Shape, Solid, shape_table
 from cotouch.scenario import DrawnTexture
 from cotouch.simulation._animation_checks import (
@@ -309,7 +309,7 @@ class Animation:
             OutputError: the file cannot be written, or its name does not end in ".html" or ".htm".
         """
         target = Path(path)
-        prepare(target, HTML)
+        check_writable(target, HTML)
         write(target, self.page().encode("utf-8"), "animation")
         return target
 
@@ -357,7 +357,7 @@ class Animation:
         colors |= {"ink": drawing.INK, "muted": drawing.MUTED, "grid": drawing.GRID, "shade": drawing.SHADE}
         return Template(read["index.html"]).substitute(
             title=escape(self.title),
-            style=Template(read["style.css"]).substitute(surface=drawing.SURFACE, alarm=drawing.ALARM, **colors),
+            style=Template(read["style.css"]).substitute(surface=drawing.SURFACE, alarm=drawing.ALARM_COLOUR, **colors),
             header=json.dumps(header, ensure_ascii=False).replace("<", "\\u003c"),
             data=packer.text(),
             script=viewer.joinpath("animation.js").read_text(encoding="utf-8"),

@@ -11,7 +11,12 @@ from cotouch.errors import BodyError, InputError, NetworkError
 
 
 def keep_frozen(thing: object, **values: object) -> None:
-    """Sets attributes of a frozen dataclass; arrays become read-only."""
+    """Sets attributes of a frozen dataclass; arrays become read-only.
+
+    Args:
+        thing: the dataclass.
+        **values: of its attributes, by name.
+    """
     for name, value in values.items():
         if isinstance(value, np.ndarray):
             value.setflags(write=False)
@@ -124,6 +129,12 @@ def size_of(array: Array) -> str:
 
 
 def pairs_of(links: Sequence[tuple[int, int]], users: int) -> tuple[tuple[int, int], ...]:
+    """Links as pairs of users.
+
+    Args:
+        links: two users each, from 0.
+        users: how many there are.
+    """
     pairs = tuple((int(a), int(b)) for a, b in links)
     for a, b in pairs:
         if not (0 <= a < users and 0 <= b < users) or a == b:

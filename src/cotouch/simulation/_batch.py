@@ -17,13 +17,13 @@ from cotouch.simulation._ends import Ends
 from cotouch.simulation._engine import run
 from cotouch.simulation._law_setup import ends_of
 from cotouch.simulation._layout import (
-    CLOSED_BOOKS,
-    CUT_BOOKS,
+    CLOSED_LEDGER,
+    CUT_LEDGER,
     SLOT_LEDGER,
     TICK_LEDGER,
     TOOL_LEDGER,
     USER_LEDGER,
-    WORLD_BOOKS,
+    WORLD_LEDGER,
     Copies,
     Fields,
     Frames,
@@ -37,7 +37,7 @@ from cotouch.simulation._rigid_tool_result import with_masses
 
 @final
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Traffic:
+class CodecTraffic:
     """What senders with a codec said, of each slot.
 
     Attributes:
@@ -80,7 +80,7 @@ class Outcome:
     frames: Float
     frame_time: Float
     ends: Ends | None = None
-    traffic: Traffic | None = None
+    traffic: CodecTraffic | None = None
     cuts: Float | None = None
     led: ToolRecord | None = None
 
@@ -127,12 +127,12 @@ def run_batch(prepared: Prepared) -> Outcome:
     )
     touching = deepcopy(prepared.touching)
     more = 0 if touching is None else len(TOOL_LEDGER)
-    more += 0 if ready.force is None else len(CLOSED_BOOKS)
-    more += 0 if ready.force is None or ready.force.world is None else len(WORLD_BOOKS)
+    more += 0 if ready.force is None else len(CLOSED_LEDGER)
+    more += 0 if ready.force is None or ready.force.world is None else len(WORLD_LEDGER)
     asked = prepared.scenario.cutting
     may = () if asked is None else [asked.may(user + 1) for user in range(users)]
     cutting = cutting_of(ready, tools=0 if touching is None else touching.kind.size, decides=may)
-    more += 0 if cutting is None else len(CUT_BOOKS)
+    more += 0 if cutting is None else len(CUT_LEDGER)
     # A copy with tools that are bodies knows of contact by a law only where some tool may touch or hold.
     only_blades = bool(ready.body.tools) and touching is not None and bool(np.all(touching.kind == BLADE))
     leading = deepcopy(prepared.leading)

@@ -10,7 +10,7 @@ from cotouch.passing import by_address
 from cotouch.scenario import Channel, Trace
 
 # Further delay of some messages of one direction, by their numbers and how long after the others they are sent [s].
-Measured: TypeAlias = Callable[[Long, float], Float]
+MeasuredDelays: TypeAlias = Callable[[Long, float], Float]
 
 # A message that was lost this often in a row is taken to arrive with the next try; beyond any loss rate of use.
 _MOST_TRIES = 1000
@@ -37,7 +37,7 @@ def certain(channel: Channel) -> bool:
     return channel.jitter is None and channel.trace is None and channel.burst is None and not any(chances)
 
 
-def measured_at(trace: Trace | None, sent: Float, *, seed: tuple[int, ...]) -> Measured | None:
+def measured_at(trace: Trace | None, sent: Float, *, seed: tuple[int, ...]) -> MeasuredDelays | None:
     """What a trace adds to the delay of one direction, which begins at a place of its own; None without a trace.
 
     Args:
@@ -61,7 +61,7 @@ def start_of(seed: tuple[int, ...]) -> float:
 
 
 def draw(
-    channel: Channel, delay: float, messages: int, *, seed: tuple[int, ...], measured: Measured | None = None
+    channel: Channel, delay: float, messages: int, *, seed: tuple[int, ...], measured: MeasuredDelays | None = None
 ) -> Draws:
     """Draws the fate of every message of one direction.
 
@@ -96,7 +96,7 @@ def resent(
     round_trip: float,
     *,
     seed: tuple[int, ...],
-    measured: Measured | None = None,
+    measured: MeasuredDelays | None = None,
 ) -> Float:
     """Latency of every sample when lost messages are sent again until they arrive, (messages,) [s]; not for writing.
 
@@ -139,7 +139,7 @@ def _jitter(
     channel: Channel,
     index: Long,
     rng: np.random.Generator,
-    measured: Measured | None,
+    measured: MeasuredDelays | None,
     later: float = 0.0,
 ) -> Float:
     """Further delay of messages, by their numbers, sent again so much later."""

@@ -40,7 +40,7 @@ def cut_away(
     for s in range(topology.first[i], topology.first[i + 1]):
         hear_cuts(cutting, state.memory, states[topology.peer[s]].memory, timing.used[s, k])
     sever(cutting, op, force, state, k, ledger, lanes)
-    books = record.running.shape[1]
-    add(record.running, i, books - 2, ledger[CUT])
-    add(record.running, i, books - 1, ledger[CUT_COUNT])
+    columns = record.running.shape[1]  # those of `CUT_LEDGER` are the last
+    add(record.running, i, columns - 2, ledger[CUT])
+    add(record.running, i, columns - 1, ledger[CUT_COUNT])
     return ledger[CUT]

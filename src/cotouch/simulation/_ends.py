@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cotouch.arrays import Int, Long
-from cotouch.laws import End, Part, feel, hand, handed
+from cotouch.laws import CompiledHalf, End, feel, hand, handed
 from cotouch.mechanics import BodyForce, Contact, Ports, at, inner, put, tell_push
 from cotouch.passing import by_address
 from cotouch.simulation._layout import Float, Timing, Topology
@@ -49,8 +49,8 @@ class Ends(NamedTuple):
         words: every slot's end in the step being taken, as the law reads it, (slots, words).
     """
 
-    before: Part
-    after: Part
+    before: CompiledHalf
+    after: CompiledHalf
     copies: int
     feels: bool
     reverse: Int

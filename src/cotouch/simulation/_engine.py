@@ -60,7 +60,41 @@ from cotouch.scenario import (
 )
 from cotouch.simulation._cuts import cut_away
 from cotouch.simulation._ends import Ends, ask, tell
-from cotouch.simulation._layout import Copies, Fields, Float, Frames, Record, Scratch, Timing, Topology
+from cotouch.simulation._layout import (
+    CLOSED_CLOSURE,
+    CLOSED_CLOSURE_ALARMS,
+    CLOSED_CLOSURE_FACTOR,
+    CLOSED_WORLD_LOSS,
+    CLOSED_WORLD_STORED,
+    CLOSED_WORLD_X,
+    SLOT_DELAY_WORK,
+    SLOT_LINK_WORK,
+    TICK_DELAY_WORK,
+    TICK_DISSIPATED,
+    TICK_RESIDUAL,
+    TICK_SLACK,
+    TICK_STORED,
+    TICK_SUPPLIED,
+    TOOL_DRIVE_WORK,
+    TOOL_PROXY,
+    TOOL_TOUCH_LOSS,
+    TOOL_TOUCH_STORED,
+    TOOL_TOUCH_WORK,
+    USER_BODY_LOSS,
+    USER_ELASTIC,
+    USER_EXTRA_LOSS,
+    USER_KINETIC,
+    USER_LOCAL_LOSS,
+    USER_SUPPLIED,
+    Copies,
+    Fields,
+    Float,
+    Frames,
+    Record,
+    Scratch,
+    Timing,
+    Topology,
+)
 from cotouch.simulation._ledger import (
     add,
     copy,
@@ -136,13 +170,13 @@ def run(
             settle(op, state, scratch.ledger, lanes)
         else:
             closed_settle(op, force, state, scratch.work, scratch.ledger, lanes)
-        record.running[i, 4] = scratch.ledger[KINETIC]
-        record.running[i, 5] = scratch.ledger[ELASTIC]
+        record.running[i, USER_KINETIC] = scratch.ledger[KINETIC]
+        record.running[i, USER_ELASTIC] = scratch.ledger[ELASTIC]
         put(record.lowest, 1 + i, min(0.0, scratch.ledger[ELASTIC]))
         initial += scratch.ledger[KINETIC] + scratch.ledger[ELASTIC]
         if touching is not None:
             moving = proxy_energy(touching, i)
-            put(record.running, (i, 9), moving)
+            put(record.running, (i, TOOL_PROXY), moving)
             initial += moving
         copy(fields.samples[users * timing.ring + i], fields.position[i], lanes)
         keep_user(record, hands, fields, scratch, topology, i, 0, lanes)
@@ -152,9 +186,9 @@ def run(
             keep_tools(led_record, leading.touching, i, 0)
     if ends is None:
         initial += spring_energies(op, topology, fields, record, scratch, 0, lanes)
-    put(record.ticks, (0, 0), initial)
-    for book in range(1, 6):
-        put(record.ticks, (book, 0), 0.0)
+    put(record.ticks, (TICK_STORED, 0), initial)
+    for row in range(TICK_SUPPLIED, TICK_SLACK + 1):
+        put(record.ticks, (row, 0), 0.0)
     energy = initial
     for event in range(timing.order.shape[0]):
         if raised(timing.stop):
@@ -240,11 +274,11 @@ def run(
                 decide_cuts(cutting, state.memory, state.position, tools, i + 1, True)
             after_step(touching, i)
             own = touching.ledger
-            add(record.running, i, 6, own[DRIVE])
-            add(record.running, i, 7, own[TOUCHED])
-            add(record.running, i, 8, own[TOUCH_LOSS])
-            put(record.running, (i, 9), own[PROXY])
-            put(record.running, (i, 10), own[TOUCH_STORED])
+            add(record.running, i, TOOL_DRIVE_WORK, own[DRIVE])
+            add(record.running, i, TOOL_TOUCH_WORK, own[TOUCHED])
+            add(record.running, i, TOOL_TOUCH_LOSS, own[TOUCH_LOSS])
+            put(record.running, (i, TOOL_PROXY), own[PROXY])
+            put(record.running, (i, TOOL_TOUCH_STORED), own[TOUCH_STORED])
             supplied += own[DRIVE]
             dissipated += own[TOUCH_LOSS]
         elif force is not None:
@@ -294,35 +328,36 @@ def run(
         for s in range(s0, s1):
             added = at(scratch.link_work, s)
             made += added
-            add(scratch.slot_running, s, 0, added)
+            add(scratch.slot_running, s, SLOT_LINK_WORK, added)
             if ends is None:
                 added = delay_work_of(op, topology, fields, scratch, s, T, lanes)
-            add(scratch.slot_running, s, 1, added)
+            add(scratch.slot_running, s, SLOT_DELAY_WORK, added)
             delay_work += added
         running = record.running
-        add(running, i, 0, ledger[SUPPLIED])
-        add(running, i, 1, ledger[BODY_LOSS])
-        add(running, i, 2, ledger[LOCAL_LOSS])
-        add(running, i, 3, ledger[EXTRA_LOSS])
-        put(running, (i, 4), ledger[KINETIC])
-        put(running, (i, 5), ledger[ELASTIC])
+        add(running, i, USER_SUPPLIED, ledger[SUPPLIED])
+        add(running, i, USER_BODY_LOSS, ledger[BODY_LOSS])
+        add(running, i, USER_LOCAL_LOSS, ledger[LOCAL_LOSS])
+        add(running, i, USER_EXTRA_LOSS, ledger[EXTRA_LOSS])
+        put(running, (i, USER_KINETIC), ledger[KINETIC])
+        put(running, (i, USER_ELASTIC), ledger[ELASTIC])
         if force is not None:
-            first = 6 if touching is None else 11
-            add(running, i, first, ledger[CLOSURE])
-            put(running, (i, first + 1), max(at(running, (i, first + 1)), ledger[BETA]))
+            first = USER_ELASTIC + 1 if touching is None else TOOL_TOUCH_STORED + 1
+            add(running, i, first + CLOSED_CLOSURE, ledger[CLOSURE])
+            largest = first + CLOSED_CLOSURE_FACTOR
+            put(running, (i, largest), max(at(running, (i, largest)), ledger[BETA]))
             if ledger[BETA] > CLOSURE_ALARM or ledger[SHORTENED] > 0.0:
-                add(running, i, first + 2, 1.0)
-            if running.shape[1] >= first + 8:  # there are obstacles
-                add(running, i, first + 3, ledger[WORLD_LOSS])
-                put(running, (i, first + 4), ledger[WORLD_STORED])
+                add(running, i, first + CLOSED_CLOSURE_ALARMS, 1.0)
+            if running.shape[1] >= first + CLOSED_WORLD_X + 3:  # there are obstacles
+                add(running, i, first + CLOSED_WORLD_LOSS, ledger[WORLD_LOSS])
+                put(running, (i, first + CLOSED_WORLD_STORED), ledger[WORLD_STORED])
                 for axis in range(3):
-                    put(running, (i, first + 5 + axis), ledger[WORLD_FORCE + axis])
+                    put(running, (i, first + CLOSED_WORLD_X + axis), ledger[WORLD_FORCE + axis])
         supplied += ledger[SUPPLIED]
         dissipated += ledger[BODY_LOSS] + ledger[LOCAL_LOSS] + ledger[EXTRA_LOSS]
         made -= ledger[LOCAL_LOSS]
         most_made = max(most_made, made)
         lowest = min(lowest, supplied)
-        held = ledger[ELASTIC] + (at(running, (i, 10)) if touching is not None else 0.0)
+        held = ledger[ELASTIC] + (at(running, (i, TOOL_TOUCH_STORED)) if touching is not None else 0.0)
         put(record.lowest, 1 + i, min(at(record.lowest, 1 + i), held))
         record.made[0] = most_made
         record.made[1] = made
@@ -342,15 +377,15 @@ def run(
                     energy = spring_energies(op, topology, fields, record, scratch, tick, lanes)
                 slack = -delay_work
                 for user in range(users):
-                    slack += at(running, (user, 2))
-                    energy += at(running, (user, 4)) + at(running, (user, 5))
+                    slack += at(running, (user, USER_LOCAL_LOSS))
+                    energy += at(running, (user, USER_KINETIC)) + at(running, (user, USER_ELASTIC))
                     if touching is not None:
-                        energy += at(running, (user, 9)) + at(running, (user, 10))
-                put(record.ticks, (0, tick), energy)
-                put(record.ticks, (1, tick), supplied)
-                put(record.ticks, (2, tick), dissipated)
-                put(record.ticks, (3, tick), delay_work)
-                put(record.ticks, (4, tick), energy - initial - supplied + dissipated - delay_work)
-                put(record.ticks, (5, tick), slack)
+                        energy += at(running, (user, TOOL_PROXY)) + at(running, (user, TOOL_TOUCH_STORED))
+                put(record.ticks, (TICK_STORED, tick), energy)
+                put(record.ticks, (TICK_SUPPLIED, tick), supplied)
+                put(record.ticks, (TICK_DISSIPATED, tick), dissipated)
+                put(record.ticks, (TICK_DELAY_WORK, tick), delay_work)
+                put(record.ticks, (TICK_RESIDUAL, tick), energy - initial - supplied + dissipated - delay_work)
+                put(record.ticks, (TICK_SLACK, tick), slack)
     record.lowest[0] = lowest
     return timing.order.shape[0]

@@ -10,7 +10,7 @@ import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.drawing import (
-    ALARM,
+    ALARM_COLOUR,
     DASHES,
     INK,
     MUTED,
@@ -296,7 +296,7 @@ def _energies(run: "xr.Dataset") -> "Figure":
     shade_hold(ledger, run, label=False)
     time, line = decimate(ticks, np.abs(run["residual"].values))
     seen = line > 0.0
-    ledger.plot(time[seen], line[seen], color=ALARM, linewidth=0.8)
+    ledger.plot(time[seen], line[seen], color=ALARM_COLOUR, linewidth=0.8)
     if seen.any():
         ledger.set_yscale("log")
     ledger.set_ylabel("|Residual| / J")

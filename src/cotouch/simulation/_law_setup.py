@@ -28,14 +28,14 @@ class LawSetup:
         parameters: of every slot, (slots, parameters).
         weight: diagonal of every slot's weight, flat, (slots, size).
         holds: whether the law's promise holds with its parameters at every end.
-        seed: what all ends together may make, with what springs hold at the start [J].
+        initial_energy: what all ends together may make, with what springs hold at the start [J].
     """
 
     law: Law
     parameters: Float
     weight: Float
     holds: bool
-    seed: float
+    initial_energy: float
 
 
 def given_law(scenario: Scenario) -> tuple[Law, Mapping[str, float | str]]:
@@ -135,7 +135,7 @@ def law_setup(scenario: Scenario, ready: Model, timing: Schedule, weight: Int, s
         parameters=np.array(parameters, dtype=np.float64).reshape(weight.size, len(law.parameters)),
         weight=diagonal,
         holds=law.holds is None or all(law.holds(*end) for end in zip(ends, parameters, strict=True)),
-        seed=held + sum(law.seed_of(values) for values in parameters),
+        initial_energy=held + sum(law.initial_energy_of(values) for values in parameters),
     )
 
 

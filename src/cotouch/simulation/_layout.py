@@ -12,16 +12,25 @@ USER_LEDGER = ("supplied", "body_loss", "local_loss", "extra_loss", "kinetic", "
 # touch; energies of proxies and touch now [J].
 TOOL_LEDGER = ("drive_work", "touch_work", "touch_loss", "proxy", "touch_stored")
 # And of bodies that take closed steps: work of the closure so far [J]; largest |β - 1| so far; steps that told of one.
-CLOSED_BOOKS = ("closure", "closure_factor", "closure_alarms")
+CLOSED_LEDGER = ("closure", "closure_factor", "closure_alarms")
 # And where there are obstacles: what of the body's losses was lost there, and of its energy is held there [J]; the mean
 # force of all of them on the copy [N].
-WORLD_BOOKS = ("world_loss", "world_stored", "world_x", "world_y", "world_z")
+WORLD_LEDGER = ("world_loss", "world_stored", "world_x", "world_y", "world_z")
 # And of bodies that can be cut: what the elements held that were taken away so far [J], and how many they are.
-CUT_BOOKS = ("cut", "cut_elements")
+CUT_LEDGER = ("cut", "cut_elements")
 # Rows of `Record.slots`, cumulative [J]: what the link did on its receiver; what delay added to the link.
 SLOT_LEDGER = ("link_work", "delay_work")
 # Rows of `Record.ticks` [J].
 TICK_LEDGER = ("stored", "supplied", "dissipated", "delay_work", "residual", "slack")
+# Columns of `Record.running`: of users but for iterations, then of tools, where there are any.
+USER_SUPPLIED, USER_BODY_LOSS, USER_LOCAL_LOSS, USER_EXTRA_LOSS, USER_KINETIC, USER_ELASTIC = range(6)
+TOOL_DRIVE_WORK, TOOL_TOUCH_WORK, TOOL_TOUCH_LOSS, TOOL_PROXY, TOOL_TOUCH_STORED = range(6, 11)
+# And, counted from behind these, of closed steps, then of obstacles.
+CLOSED_CLOSURE, CLOSED_CLOSURE_FACTOR, CLOSED_CLOSURE_ALARMS = range(3)
+CLOSED_WORLD_LOSS, CLOSED_WORLD_STORED, CLOSED_WORLD_X = range(3, 6)
+# Rows of the ledgers of slots and of ticks.
+SLOT_LINK_WORK, SLOT_DELAY_WORK = range(2)
+TICK_STORED, TICK_SUPPLIED, TICK_DISSIPATED, TICK_DELAY_WORK, TICK_RESIDUAL, TICK_SLACK = range(6)
 
 
 @by_address
@@ -108,12 +117,12 @@ class Record(NamedTuple):
         position: (users, records, kept, width) [m].
         velocity: likewise [m/s].
         force: of the ports, (ports, records, width) [N].
-        users: (len(USER_BOOKS), users, records), and those of the other books where there are any, zeros:
+        users: (len(USER_LEDGER), users, records), and those of the other ledgers where there are any, zeros:
             what stays 0, such as the losses of dampers that there are not, is never written, so it takes no memory.
-        slots: (len(SLOT_BOOKS), slots, records).
+        slots: (len(SLOT_LEDGER), slots, records).
         links: spring energy of each link, (ticks, links) [J].
-        ticks: (len(TICK_BOOKS), ticks) [J].
-        running: cumulative ledgers of users, (users, 6), then those of the other books likewise [J].
+        ticks: (len(TICK_LEDGER), ticks) [J].
+        running: cumulative ledgers of users, (users, 6), then those of the other ledgers likewise [J].
         lowest: result (1 + users,), over every step: smallest energy that the ports had supplied in all, and that each
             copy and its tools held by their places, at most 0: what weight gave one that fell below where it began, and
             attraction a tool that it drew near [J].

@@ -20,7 +20,17 @@ from cotouch.mechanics import (
 from cotouch.scenario import (
     Hands,
 )
-from cotouch.simulation._layout import Fields, Float, Frames, Record, Scratch, Topology
+from cotouch.simulation._layout import (
+    SLOT_DELAY_WORK,
+    SLOT_LINK_WORK,
+    USER_ELASTIC,
+    Fields,
+    Float,
+    Frames,
+    Record,
+    Scratch,
+    Topology,
+)
 
 
 @inner
@@ -140,14 +150,14 @@ def keep_user(
         store(record.velocity, base + node, v, lanes)
     for p in range(at(hands.first, i), at(hands.first, i + 1)):
         store(record.force, p * record.force.shape[1] + entry, load(scratch.ports.force, p, lanes), lanes)
-    for book in range(6):
-        _unless_zero(record.users, book, i, entry, at(record.running, (i, book)))
-    for book in range(6, record.running.shape[1]):
-        _unless_zero(record.users, book + 1, i, entry, at(record.running, (i, book)))
-    _unless_zero(record.users, 6, i, entry, scratch.ledger[ITERATIONS])
+    for column in range(USER_ELASTIC + 1):
+        _unless_zero(record.users, column, i, entry, at(record.running, (i, column)))
+    for column in range(USER_ELASTIC + 1, record.running.shape[1]):
+        _unless_zero(record.users, column + 1, i, entry, at(record.running, (i, column)))
+    _unless_zero(record.users, USER_ELASTIC + 1, i, entry, scratch.ledger[ITERATIONS])
     for s in range(at(topology.first, i), at(topology.first, i + 1)):
-        put(record.slots, (0, s, entry), at(scratch.slot_running, (s, 0)))
-        put(record.slots, (1, s, entry), at(scratch.slot_running, (s, 1)))
+        put(record.slots, (SLOT_LINK_WORK, s, entry), at(scratch.slot_running, (s, SLOT_LINK_WORK)))
+        put(record.slots, (SLOT_DELAY_WORK, s, entry), at(scratch.slot_running, (s, SLOT_DELAY_WORK)))
 
 
 @inner

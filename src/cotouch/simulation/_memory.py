@@ -8,7 +8,7 @@ from cotouch.mechanics import Model
 from cotouch.scenario import Scenario
 from cotouch.simulation._channel import certain
 from cotouch.simulation._clocks import most_steps
-from cotouch.simulation._layout import CLOSED_BOOKS, SLOT_LEDGER, TICK_LEDGER, TOOL_LEDGER, USER_LEDGER, WORLD_BOOKS
+from cotouch.simulation._layout import CLOSED_LEDGER, SLOT_LEDGER, TICK_LEDGER, TOOL_LEDGER, USER_LEDGER, WORLD_LEDGER
 
 _NUMBER = 8  # bytes
 # What remains of a record, and the copy of it that goes into the result.
@@ -36,7 +36,7 @@ def needed(scenario: Scenario, body: Body, ready: Model, kept: int) -> int:
     clocks = users * 6 + slots * (2 if certain(scenario.channel) else 6)
     records = steps // scenario.record.every + 1
     ledgers = len(USER_LEDGER) + (len(TOOL_LEDGER) if scenario.proxies else 0)
-    ledgers += 0 if ready.force is None else len(CLOSED_BOOKS) + (ready.force.world is not None) * len(WORLD_BOOKS)
+    ledgers += 0 if ready.force is None else len(CLOSED_LEDGER) + (ready.force.world is not None) * len(WORLD_LEDGER)
     axes = body.dimension if ready.full else 1
     own = 2 * kept * width * axes + ledgers + 2 + width
     entry = users * own + len(scenario.hands) * width * axes + slots * (len(SLOT_LEDGER) + 1)

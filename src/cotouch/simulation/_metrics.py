@@ -10,7 +10,7 @@ from cotouch.body import Body
 from cotouch.device import PRESETS
 from cotouch.scenario import DEFAULT_RATE
 from cotouch.simulation._run_tables import DeviceEntry, Span, tables_of
-from cotouch.simulation._summary_tables import Judged, Numbers, RigidToolSummary, State, Summary, ToolSummary
+from cotouch.simulation._summary_tables import Judged, Numbers, RigidToolSummary, StateAtTime, Summary, ToolSummary
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -338,22 +338,22 @@ def judge(run: "xr.Dataset") -> Judged:
 
     Returns:
         `law`, its name; `made_j`, the most energy that the links had made, infinite where the motion left floating
-        point; `seed_j`, what they may make; `extracted_j`, the most that users got out beyond what there was;
-        `promised`, whether the law promises under these options that `made_j` is at most `seed_j`; `kept`, whether it
-        is.
+        point; `initial_energy_j`, what they may make; `extracted_j`, the most that users got out beyond what there was;
+        `promised`, whether the law promises under these options that `made_j` is at most `initial_energy_j`; `kept`,
+        whether it is.
     """
-    made, seed = float(run.attrs["made"]) if run.attrs["finished"] else np.inf, float(run.attrs["law_seed"])
+    made, seed = float(run.attrs["made"]) if run.attrs["finished"] else np.inf, float(run.attrs["law_initial_energy"])
     return {
         "law": run.attrs["law"],
         "made_j": made,
-        "seed_j": seed,
+        "initial_energy_j": seed,
         "extracted_j": float(run.attrs["extracted"]),
         "promised": bool(run.attrs["law_promises"]),
         "kept": made <= seed + _ROUNDING * float(run.attrs["energy_in_play"]),
     }
 
 
-def _state(run: "xr.Dataset", time: float) -> State:
+def _state(run: "xr.Dataset", time: float) -> StateAtTime:
     """Positions and forces of all users at a time: numbers for a single node on one axis, else nested lists."""
     positions = at_times(run, "position", np.array([time]))[0]
     forces = _forces_at(run, time)

@@ -5,12 +5,20 @@ import numpy as np
 from cotouch.arrays import Float
 from cotouch.mechanics import CLOSURE_ALARM, ELASTIC, KINETIC, LEDGER_COLUMNS, State, closed_settle, settle, unsettled
 from cotouch.peer import StepReport
-from cotouch.simulation._batch import Outcome, Traffic, run_batch
-from cotouch.simulation._layout import CLOSED_BOOKS, SLOT_LEDGER, TICK_LEDGER, USER_LEDGER, WORLD_BOOKS, Record
+from cotouch.simulation._batch import CodecTraffic, Outcome, run_batch
+from cotouch.simulation._layout import (
+    CLOSED_LEDGER,
+    SLOT_LEDGER,
+    TICK_LEDGER,
+    TICK_STORED,
+    USER_LEDGER,
+    WORLD_LEDGER,
+    Record,
+)
 from cotouch.simulation._peers import PeerRun, run_peers
 from cotouch.simulation._prepare import Prepared
 
-# Books that are sums of all steps so far.
+# Columns that are sums of all steps so far.
 _SO_FAR = {"supplied", "body_loss", "local_loss", "extra_loss", "closure", "closure_alarms", "world_loss"}
 
 
@@ -35,8 +43,8 @@ def _recorded(prepared: Prepared, run: PeerRun) -> Outcome:
     records = int(timing.count.max()) // every + 1
     kept = np.concatenate([ready.port_rows(int(node)) for node in prepared.nodes])
     shape, width = ready.port_shapes(kept), ready.width
-    books = len(USER_LEDGER) + (0 if ready.force is None else len(CLOSED_BOOKS))
-    books += len(WORLD_BOOKS) if ready.force is not None and ready.force.world is not None else 0
+    books = len(USER_LEDGER) + (0 if ready.force is None else len(CLOSED_LEDGER))
+    books += len(WORLD_LEDGER) if ready.force is not None and ready.force.world is not None else 0
 
     def seen(field: Float) -> Float:
         return np.asarray(shape @ field if shape.shape[0] else field[:, kept])
@@ -82,7 +90,7 @@ def _recorded(prepared: Prepared, run: PeerRun) -> Outcome:
         tools=None,
         frames=np.zeros((0, users, ready.operator_rows, width)),
         frame_time=np.zeros(0),
-        traffic=Traffic(
+        traffic=CodecTraffic(
             contents=np.array([encoder.contents for encoder in run.encoders]),
             unchanged=np.array([encoder.unchanged for encoder in run.encoders]),
             size=np.array([encoder.size for encoder in run.encoders]),
@@ -93,7 +101,7 @@ def _recorded(prepared: Prepared, run: PeerRun) -> Outcome:
 def _ledger(reports: list[StepReport], books: int) -> Float:
     """What a user's steps booked, as `Record.users` has it, (steps, books)."""
     result = np.array([_row(report)[:books] for report in reports]).reshape(-1, books)
-    for book, name in enumerate((*USER_LEDGER, *CLOSED_BOOKS, *WORLD_BOOKS)[:books]):
+    for book, name in enumerate((*USER_LEDGER, *CLOSED_LEDGER, *WORLD_LEDGER)[:books]):
         if name in _SO_FAR:
             result[:, book] = np.cumsum(result[:, book])
         elif name == "closure_factor":
@@ -142,7 +150,7 @@ def _totals(prepared: Prepared, run: PeerRun, record: Record, start: Float) -> N
     record.lowest[0] = min(float(sums[:, 1].min(initial=0.0)), 0.0)
     record.made[:] = max(float(made.max(initial=0.0)), 0.0), made[-1] if made.size else 0.0
     initial = float(start.sum())
-    record.ticks[0, 0] = initial
+    record.ticks[TICK_STORED, 0] = initial
     at = np.flatnonzero(timing.order == timing.reference)[every - 1 :: every]
     change, supplied, lost, links, local = sums[at].T
     residual = change - supplied + lost - links

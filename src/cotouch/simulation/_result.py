@@ -14,7 +14,16 @@ from cotouch.interrupt import interruptible
 from cotouch.scenario import Scenario
 from cotouch.simulation._batch import Outcome
 from cotouch.simulation._law_setup import given_law
-from cotouch.simulation._layout import CLOSED_BOOKS, CUT_BOOKS, TOOL_LEDGER, USER_LEDGER, WORLD_BOOKS, Record
+from cotouch.simulation._layout import (
+    CLOSED_LEDGER,
+    CUT_LEDGER,
+    TICK_RESIDUAL,
+    TICK_STORED,
+    TOOL_LEDGER,
+    USER_LEDGER,
+    WORLD_LEDGER,
+    Record,
+)
 from cotouch.simulation._outcome import run_prepared
 from cotouch.simulation._prepare import Prepared, prepare
 from cotouch.simulation._rigid_tool_result import UNITS as RIGID_TOOL_UNITS
@@ -154,14 +163,14 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
                 shaped = shaped + body.held_rest[prepared.nodes] if np.any(body.rest) else shaped
         put(name, ("user", "step", "node", "axis"), shaped, everyone)
     ledger = USER_LEDGER if prepared.touching is None else USER_LEDGER + TOOL_LEDGER
-    ledger = ledger if prepared.model.force is None else ledger + CLOSED_BOOKS
+    ledger = ledger if prepared.model.force is None else ledger + CLOSED_LEDGER
     if prepared.model.force is not None and prepared.model.force.world is not None:
         own = record.users[len(ledger) :]
-        for name, values in zip(WORLD_BOOKS[:2], own, strict=False):
+        for name, values in zip(WORLD_LEDGER[:2], own, strict=False):
             put(name, ("user", "step"), values, everyone)
         put("world_force", ("user", "step", "axis"), np.moveaxis(own[2:5], 0, -1), everyone)
     if outcome.cuts is not None:
-        for name, values in zip(CUT_BOOKS, record.users[-len(CUT_BOOKS) :], strict=True):
+        for name, values in zip(CUT_LEDGER, record.users[-len(CUT_LEDGER) :], strict=True):
             put(name, ("user", "step"), values, everyone)
         after, by = np.moveaxis(outcome.cuts, 1, 0)
         known = np.take_along_axis(timing.end, np.maximum(after.astype(np.int64) - 1, 0), axis=1)
@@ -269,7 +278,7 @@ def _attributes(prepared: Prepared, outcome: Outcome, ticks: int) -> dict[str, o
 
     ledger = outcome.record.ticks[:, :ticks]
     timing, scenario = prepared.schedule, prepared.scenario
-    in_play, residual = _in_play(outcome.record, ledger), _largest(ledger[4])
+    in_play, residual = _in_play(outcome.record, ledger), _largest(ledger[TICK_RESIDUAL])
     finished = outcome.events == timing.order.size
     return {
         "title": scenario.title or "cotouch run",
@@ -284,7 +293,7 @@ def _attributes(prepared: Prepared, outcome: Outcome, ticks: int) -> dict[str, o
         "energy_residual": residual / max(in_play, LEAST_ENERGY),
         # What a law's ends may make is there from the start, as what springs hold is.
         "passivity_margin": float(outcome.record.lowest[0] + _had(outcome.record))
-        + (0.0 if prepared.law is None else prepared.law.seed),
+        + (0.0 if prepared.law is None else prepared.law.initial_energy),
         **_judged(prepared, outcome),
         **_paces(timing),
         "underruns": int(timing.underruns.sum()),
@@ -307,7 +316,7 @@ def _traffic(outcome: Outcome) -> dict[str, int]:
 
 def _had(record: Record) -> float:
     """Energy that was there to be taken out: that of the start, and what weight and attraction gave below that [J]."""
-    return float(record.ticks[0, 0] - record.lowest[1:].sum())
+    return float(record.ticks[TICK_STORED, 0] - record.lowest[1:].sum())
 
 
 def _judged(prepared: Prepared, outcome: Outcome) -> dict[str, object]:
@@ -322,11 +331,11 @@ def _judged(prepared: Prepared, outcome: Outcome) -> dict[str, object]:
     covered = covered and wish.quantile in {None, 1.0} and not timing.underruns.any()
     covered = covered or (law.rule == 0.0 and not (law.constant_delay and timing.underruns.any()))
     promised = law.passive and covered and (prepared.law is None or prepared.law.holds)
-    seed = prepared.law.seed if prepared.law is not None else float(record.links[0].sum())
+    seed = prepared.law.initial_energy if prepared.law is not None else float(record.links[0].sum())
     return {
         "law": law.name,
         "law_promises": int(promised),
-        "law_seed": seed,
+        "law_initial_energy": seed,
         "made": float(record.made[0]),
         "made_at_end": float(record.made[1]),
         "extracted": max(-float(record.lowest[0] + _had(record)), 0.0),

@@ -10,7 +10,7 @@ from cotouch.arrays import Float, Int, Long
 from cotouch.errors import ScenarioError
 from cotouch.network import Network
 from cotouch.scenario import Mode, Scenario
-from cotouch.simulation._channel import Draws, Measured, certain, draw, measured_at, resent
+from cotouch.simulation._channel import Draws, MeasuredDelays, certain, draw, measured_at, resent
 from cotouch.simulation._clocks import bound_apart, bound_together, step_lengths, together
 from cotouch.simulation._timing import ages, elapsed, indexed, newest, ring_size, self_paced
 
@@ -228,7 +228,7 @@ def _seed(scenario: Scenario, receiver: int, sender: int) -> tuple[int, ...]:
     return (scenario.seed, 2, receiver, sender)
 
 
-def _measured(scenario: Scenario, slots: Slots, clock: Float) -> list[Measured | None]:
+def _measured(scenario: Scenario, slots: Slots, clock: Float) -> list[MeasuredDelays | None]:
     """What the channel's trace adds to the messages of each slot; they are sent by the users' own clocks."""
     trace = scenario.trace()
     return [

@@ -11,13 +11,13 @@ class Judged(TypedDict):
 
     law: str
     made_j: float
-    seed_j: float
+    initial_energy_j: float
     extracted_j: float
     promised: bool
     kept: bool
 
 
-class State(TypedDict):
+class StateAtTime(TypedDict):
     """All users at a time [m, N]."""
 
     position: list[Numbers]
@@ -25,7 +25,7 @@ class State(TypedDict):
     force_sum: Numbers
 
 
-class Hold(State):
+class Hold(StateAtTime):
     """Likewise at the end of the hold; see `force_imbalance`."""
 
     time_s: float
@@ -83,7 +83,7 @@ class Summary(TypedDict):
     settling_window_s: list[float]
     discrepancy_m: dict[str, float]
     hold: Hold
-    final: State
+    final: StateAtTime
     energy_j: dict[str, float]
     age_s: dict[str, float]
     underruns: int

@@ -1,7 +1,7 @@
 """The paper's experiment, its theorem and its errata, computed anew and written up as one page."""
 
 from cotouch.study._confirm import confirmed
-from cotouch.study._data import Progress, five_users
+from cotouch.study._data import five_users
 from cotouch.study._reproduce import Reproduction, reproduce
 
-__all__ = ["Progress", "Reproduction", "confirmed", "five_users", "reproduce"]
+__all__ = ["Reproduction", "confirmed", "five_users", "reproduce"]

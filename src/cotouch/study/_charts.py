@@ -96,7 +96,7 @@ def ranks(found: Topologies, errata: Errata) -> "Figure":
         panel.set_xscale("log")
         panel.plot(shown[~never], decay[~never], "o", color=drawing.MUTED, markersize=2.6, alpha=0.75)
         if never.any():
-            style = {"color": drawing.ALARM, "markersize": 4.0, "label": f"never mix: {int(never.sum())}"}
+            style = {"color": drawing.ALARM_COLOUR, "markersize": 4.0, "label": f"never mix: {int(never.sum())}"}
             panel.plot(shown[never], decay[never], "x", **style)
         for graph, color, word in ((ranking.best, _GOOD, "its best"), (ranking.worst, _BAD, "its worst")):
             if not never[graph]:
@@ -234,7 +234,7 @@ def thresholds(found: Bound) -> "Figure":
         ("rule", drawing.INK, "the rule"),
         ("alone", _FAST, f"{_percent(found.fractions['alone'])}, nobody holds"),
         ("held", _SLOW, f"{_percent(found.fractions['held'])}, {len(found.held)} hands hold"),
-        ("below", drawing.ALARM, f"{_percent(found.fractions['below'])}, nobody holds"),
+        ("below", drawing.ALARM_COLOUR, f"{_percent(found.fractions['below'])}, nobody holds"),
     )
     for name, color, label in lines:
         run = found.runs[name]
@@ -277,7 +277,7 @@ def attacks(found: Bound) -> "Figure":
     _each(pushes, worst["time"].values[:, 1:], worst["force"].values[:, 1:, 0] / size)
     pushes.set(title="Worst forces at half the rule", xlabel="Time / s", ylabel="Force, share of the largest")
     drawing.figure_legend(figure, [str(name) for name in worst["user"].values])
-    colors = (drawing.INK, _GOOD, drawing.USERS[4], drawing.ALARM)
+    colors = (drawing.INK, _GOOD, drawing.USERS[4], drawing.ALARM_COLOUR)
     for ((method, fraction), attack), color in zip(found.attacks.items(), colors, strict=True):
         run = attack.run
         got = 100.0 * run["supplied_total"].values / float(run.attrs["energy_in_play"])

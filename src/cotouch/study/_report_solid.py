@@ -7,14 +7,14 @@ import numpy as np
 from cotouch.pages import Section, figure, formula, num, quantity, table, verdict
 from cotouch.study import _solid_charts as charts
 from cotouch.study._scene import DEVICES, DOES, RELEASE, STEPS
-from cotouch.study._solid import BELOW, Solid
+from cotouch.study._solid import BELOW, SolidFindings
 from cotouch.study._tick import worst_tick
 
 # Of the hand that takes all that one tick can give away [N/m, m/s].
 _WALL, _QUICK = 2000.0, 0.5
 
 
-def solid(found: Solid, links: str) -> Section:
+def solid(found: SolidFindings, links: str) -> Section:
     """All four blocks of Fig. 2, and their energy.
 
     Args:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import final
 
-from cotouch.files import folder, prepare, write
+from cotouch.files import check_writable, folder, write
 from cotouch.interrupt import interruptible
 from cotouch.network import Network
 from cotouch.pages import Section, page
@@ -23,7 +23,7 @@ from cotouch.study._data import Progress, five_users
 from cotouch.study._errata import Errata, errata
 from cotouch.study._experiment import PERIOD, Experiment, experiment
 from cotouch.study._modes import Modes, modes
-from cotouch.study._solid import Solid, solid, warm_up
+from cotouch.study._solid import SolidFindings, solid, warm_up
 from cotouch.study._theorem import Theorem, theorem
 from cotouch.study._topologies import Topologies, topologies
 
@@ -64,7 +64,7 @@ class Reproduction:
     bound: Bound
     modes: Modes
     certificates: Certificates
-    solid: Solid
+    solid: SolidFindings
     errata: Errata
     energy_residual: float
     confirmed: bool
@@ -103,7 +103,7 @@ def reproduce(out: Path, *, progress: Progress | None = None, quick: bool = Fals
     begun = time.perf_counter()
     size = _QUICK if quick else _FULL
     period, corners = float(size["period"]), int(size["corners"])
-    prepare(folder(out) / REPORT)
+    check_writable(folder(out) / REPORT)
     total = 9
 
     def tell(done: int, text: str) -> None:
@@ -194,7 +194,7 @@ def _write_up(
     below: Bound,
     channel: Modes,
     proofs: Certificates,
-    whole: Solid,
+    whole: SolidFindings,
     slips: Errata,
     *,
     residual: float,

@@ -26,7 +26,7 @@ _REST = RELEASE - 1.0 / FRAMES
 
 @final
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Rest:
+class AtRest:
     """A collaboration at rest, everyone holding.
 
     Attributes:
@@ -61,7 +61,7 @@ class Collaboration:
 
     mode: Mode
     blocks: Blocks
-    rest: Rest
+    rest: AtRest
     left: float
     damping: float
     rates: float
@@ -69,7 +69,7 @@ class Collaboration:
 
 @final
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Solid:
+class SolidFindings:
     """What was found.
 
     Attributes:
@@ -123,7 +123,7 @@ class Solid:
         }
 
 
-def solid(network: Network, *, quick: bool = False) -> Solid:
+def solid(network: Network, *, quick: bool = False) -> SolidFindings:
     """Five users at one block.
 
     Args:
@@ -140,7 +140,7 @@ def solid(network: Network, *, quick: bool = False) -> Solid:
     body = prepared.body
     assert body.skin is not None
     few = prepare(scene(network, MODES[1], shape=shape, scale=BELOW))
-    return Solid(
+    return SolidFindings(
         runs=runs,
         below=blocks(few, run_batch(few)),
         claims=claims(list(runs.values())),
@@ -181,7 +181,7 @@ def _apart(copies: Float) -> float:
     return float(np.linalg.norm(copies - copies.mean(axis=0), axis=2).max())
 
 
-def _rest(prepared: Prepared, outcome: Outcome) -> Rest:
+def _rest(prepared: Prepared, outcome: Outcome) -> AtRest:
     """The collaboration half a second before the hands let go, and the paper's eq. (6) node by node."""
     body, timing, tools = prepared.body, prepared.schedule, outcome.tools
     assert tools is not None
@@ -203,7 +203,7 @@ def _rest(prepared: Prepared, outcome: Outcome) -> Rest:
     for user in range(users):
         off += float(np.linalg.norm(pulled[nearest == user].sum(axis=0) - force[user]))
     size = float(np.linalg.norm(force, axis=1).sum())
-    return Rest(
+    return AtRest(
         copies=copies, force=force, place=place, balance=off / size if size > 0.0 else np.inf, apart=_apart(copies)
     )
 

@@ -10,7 +10,7 @@ from cotouch import drawing
 from cotouch.arrays import Bool, Float, Long
 from cotouch.study._blocks import Blocks
 from cotouch.study._scene import DURATION, RELEASE
-from cotouch.study._solid import BELOW, Solid
+from cotouch.study._solid import BELOW, SolidFindings
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -35,7 +35,7 @@ _BLOCKS = (
 )
 
 
-def copies(found: Solid) -> "Figure":
+def copies(found: SolidFindings) -> "Figure":
     """Every user's copy with the tool at it, and the average copy with all of them."""
     rest = found.runs["freshest"].rest
     figure = drawing.sheet(4.3)
@@ -74,7 +74,7 @@ def _flat(points: Float, turn: float) -> Float:
     return np.stack([points @ right, points @ up], axis=-1)
 
 
-def _solid(panel: "Axes", found: Solid, moved: Float, users: Long, *, turn: float) -> None:
+def _solid(panel: "Axes", found: SolidFindings, moved: Float, users: Long, *, turn: float) -> None:
     """A displaced body: shaded faces that look at the eye, the grid on them, where it was at rest, tools and forces."""
     from matplotlib.patches import PathPatch
 
@@ -122,7 +122,7 @@ def _path(polygons: Float) -> "Path":
     return Path(points, codes)
 
 
-def _grid(found: Solid, places: Float, front: Bool, turn: float) -> "PathPatch":
+def _grid(found: SolidFindings, places: Float, front: Bool, turn: float) -> "PathPatch":
     """Springs on the faces that are seen; the diagonals of the triangles are none."""
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path
@@ -146,7 +146,9 @@ def _outline(panel: "Axes", places: Float, turn: float) -> None:
                 panel.plot(*line.T, color=drawing.MUTED, linewidth=0.6, linestyle=(0, (2.0, 2.0)), zorder=1)
 
 
-def _tool(panel: "Axes", found: Solid, user: int, place: Float, *, pulls: bool, order: int, turn: float) -> None:
+def _tool(
+    panel: "Axes", found: SolidFindings, user: int, place: Float, *, pulls: bool, order: int, turn: float
+) -> None:
     """The sphere and the force on the body: pushing arrows end at it, pulling ones start there."""
     from matplotlib.patches import Circle
 
@@ -173,7 +175,7 @@ def _tool(panel: "Axes", found: Solid, user: int, place: Float, *, pulls: bool, 
     panel.update_datalim(np.array([tail, head]))
 
 
-def energies(found: Solid) -> "Figure":
+def energies(found: SolidFindings) -> "Figure":
     """What each block has taken, over time, under the rule; and the copies with far too little damping."""
     figure = drawing.sheet(2.9)
     panels = figure.subplots(1, 3)
@@ -190,10 +192,10 @@ def energies(found: Solid) -> "Figure":
     last = panels[2]
     _hold(last)
     last.plot(*_line(found.runs["constant"].blocks, "object"), color=drawing.USERS[0])
-    last.plot(*_line(found.below, "object"), color=drawing.ALARM)
+    last.plot(*_line(found.below, "object"), color=drawing.ALARM_COLOUR)
     for run, color, label, at, offset in (
         (found.runs["constant"].blocks, drawing.USERS[0], "the rule", 0.45 * DURATION, (4, 5)),
-        (found.below, drawing.ALARM, f"{100 * BELOW:g} % of it", RELEASE, (6, 8)),
+        (found.below, drawing.ALARM_COLOUR, f"{100 * BELOW:g} % of it", RELEASE, (6, 8)),
     ):
         time, value = _line(run, "object")
         place = int(np.searchsorted(time, at))

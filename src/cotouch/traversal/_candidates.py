@@ -15,7 +15,7 @@ from enum import IntEnum
 from typing import NamedTuple, final
 
 from cotouch.errors import SessionError
-from cotouch.samples import Address, flaw, numeric, plain
+from cotouch.samples import Address, flaw, numeric, plain_address
 from cotouch.traversal._probe import PAIR_NONCE_BYTES
 
 TOPIC = "path.candidates"
@@ -74,7 +74,7 @@ def local_candidates(listening: Address, interfaces: Iterable[str]) -> list[Cand
         hosts = [host for host in interfaces if not numeric(host).is_loopback]
     found: list[Candidate] = []
     for host in hosts:
-        address = plain((host, listening.port))
+        address = plain_address((host, listening.port))
         wanted = address is not None and (own.version == 6 or numeric(address.host).version == 4)
         if address is not None and wanted and flaw(address) is None:
             found.append(Candidate(CandidateKind.LOCAL, address))
@@ -123,7 +123,7 @@ def read_offer(message: bytes) -> Offer | None:
             return None
         host = message[at : at + size]
         at += size
-        address = plain((str(ipaddress.ip_address(host)), port))
+        address = plain_address((str(ipaddress.ip_address(host)), port))
         why = "host" if address is None else flaw(address)
         if address is None or why is not None:
             refused[why or "host"] += 1

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from typing import final
 
 from cotouch.errors import TransportError
-from cotouch.samples import Ground, numeric
+from cotouch.samples import AddressedTransport, numeric
 from cotouch.traversal._candidates import Candidate, CandidateKind, local_candidates
 from cotouch.traversal._reflexive import Lookup
 
@@ -29,7 +29,7 @@ class OwnCandidates:
 
     def __init__(
         self,
-        ground: Ground,
+        socket: AddressedTransport,
         lookup: Lookup,
         interfaces: Callable[[], Sequence[str]],
         here: Callable[[], str | None] | None,
@@ -37,16 +37,16 @@ class OwnCandidates:
         """Knows none until it looks.
 
         Args:
-            ground: socket of the samples.
+            socket: of the samples.
             lookup: knows what others see.
             interfaces: gives the hosts of this machine's interfaces.
             here: gives the address by which this machine reaches the others now, None where it does not; None: the
                 socket stays.
         """
         self.told = list[Candidate]()
-        self._ground, self._lookup = ground, lookup
+        self._socket, self._lookup = socket, lookup
         self._interfaces, self._address_now = interfaces, here
-        self._listening = ground.address
+        self._listening = socket.address
         self._local = list[Candidate]()
         self._looked = self._watched = self._moved = -float("inf")
 
@@ -81,10 +81,10 @@ class OwnCandidates:
         if host is None or host == self._listening.host:
             return False
         try:
-            self._ground.rebind(host)
+            self._socket.rebind(host)
         except TransportError:  # it is gone again, or not quite there; the next look tells
             return False
-        self._listening, self._looked, self._moved = self._ground.address, -float("inf"), now
+        self._listening, self._looked, self._moved = self._socket.address, -float("inf"), now
         self._lookup.hurry(now)
         return True
 

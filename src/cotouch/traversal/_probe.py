@@ -26,7 +26,7 @@ from cryptography.hazmat.primitives.hashes import SHA256
 from cryptography.hazmat.primitives.kdf.hkdf import HKDF
 
 from cotouch.errors import SessionError
-from cotouch.samples import Address, plain
+from cotouch.samples import Address, plain_address
 
 PROBE = 0xC2
 PAIR_NONCE_BYTES = 16
@@ -150,7 +150,7 @@ def told(key: bytes, answer: bytes) -> tuple[bytes, Address, bytes] | None:
         return None
     _, _, first, nonce, hidden, port, second = _MEMBER.unpack_from(answer)
     host = ipaddress.IPv6Address(int.from_bytes(hidden, "big") ^ int.from_bytes(nonce, "big"))
-    address = plain((str(host), port ^ int.from_bytes(nonce[:2], "big")))
+    address = plain_address((str(host), port ^ int.from_bytes(nonce[:2], "big")))
     return None if address is None else (nonce, address, struct.pack(">HH", first, second))
 
 

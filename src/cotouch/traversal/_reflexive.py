@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import final
 
-from cotouch.samples import Address, Entropy, flaw, plain
+from cotouch.samples import Address, Entropy, flaw, plain_address
 from cotouch.traversal._addresses import NONCE_BYTES, Addresses, Place, transaction_of
 from cotouch.traversal._probe import ask, tell, told
 
@@ -31,7 +31,7 @@ class Mirror:
             datagram: as it came.
             source: where it came from.
         """
-        address = plain(source)
+        address = plain_address(source)
         return None if address is None else tell(self._key, datagram, address, self._cookie)
 
 
@@ -102,7 +102,7 @@ class Lookup:
             datagram: as it came.
             source: where it came from.
         """
-        mirror = plain(source)
+        mirror = plain_address(source)
         asked = None if mirror is None else self._mirrors.get(mirror)
         read = None if asked is None or not asked.transaction else told(self._key, datagram)
         if asked is None or read is None or read[0] != asked.transaction or flaw(read[1]) is not None:

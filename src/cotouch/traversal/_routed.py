@@ -4,9 +4,19 @@ from collections import deque
 from collections.abc import Callable, Hashable, Sequence
 from typing import final
 
-from cotouch.control import ControlPlane, Message
+from cotouch.control import ControlPlane, SignedMessage
 from cotouch.errors import SessionError
-from cotouch.samples import MOST_BYTES, Address, Arrival, Entropy, Ground, SourceLimit, Traffic, origin, plain
+from cotouch.samples import (
+    MOST_BYTES,
+    Address,
+    AddressedTransport,
+    Arrival,
+    Entropy,
+    SourceLimit,
+    Traffic,
+    origin,
+    plain_address,
+)
 from cotouch.traversal._addresses import Addresses, Place
 from cotouch.traversal._candidates import TOPIC, Candidate, read_offer, write_offer
 from cotouch.traversal._interfaces import interface_hosts
@@ -41,7 +51,7 @@ class RoutedTransport:
 
     def __init__(
         self,
-        ground: Ground,
+        socket: AddressedTransport,
         control: ControlPlane,
         *,
         session: bytes,
@@ -56,7 +66,7 @@ class RoutedTransport:
         """Begins without neighbours.
 
         Args:
-            ground: socket of the samples; closed with this.
+            socket: of the samples; closed with this.
             control: carries candidates, and what has no other way; it is its owner's to close and to poll.
             session: what names the session.
             secret: what only invited members know.
@@ -74,21 +84,19 @@ class RoutedTransport:
         if not relay_rate > 0.0:
             raise SessionError(f"relay rate is {relay_rate} per second; it must be positive")
         self.direct, self.relayed, self.probes = Traffic(), Traffic(), Traffic()
-        self._ground = ground
-        self._control = control
+        self._socket, self._control = socket, control
         self._session, self._secret, self._entropy = session, secret, entropy
         self._relay_rate = relay_rate
         key = member_key(secret, session)
-        self._mirror = Mirror(key, addresses)
-        self._lookup = Lookup(key, entropy, control.identity.public)
-        self._own = OwnCandidates(ground, self._lookup, interfaces, here)
+        self._mirror, self._lookup = Mirror(key, addresses), Lookup(key, entropy, control.identity.public)
+        self._own = OwnCandidates(socket, self._lookup, interfaces, here)
         self._neighbours: dict[int, Known] = {}
         self._labels: dict[int, int] = {}
         self._by_relay: dict[int, bytes] = {}  # neighbours that were not introduced
         self._probe_limit = SourceLimit(rate=200.0, burst=100.0, stranger_rate=200.0, stranger_burst=100.0)
         self._relay_limit = SourceLimit(rate=4096.0, burst=4096.0, stranger_rate=200.0, stranger_burst=64.0)
         self._events: deque[PathChanged] = deque(maxlen=_MOST_EVENTS)
-        self._last, self._serviced = ground.now(), -float("inf")
+        self._last, self._serviced = socket.now(), -float("inf")
         self._open = True
         self.look(mirrors)
         self._look_around(self._last)
@@ -96,7 +104,7 @@ class RoutedTransport:
     @property
     def traffic(self) -> Traffic:
         """What went through so far, by all ways; probes are not in it."""
-        below, both = self._ground.traffic, self.direct + self.relayed
+        below, both = self._socket.traffic, self.direct + self.relayed
         both.unsent += below.unsent
         both.dropped += below.dropped + self.probes.dropped
         return both
@@ -122,7 +130,7 @@ class RoutedTransport:
         Raises:
             SessionError: one is no address in numbers.
         """
-        found = [(mirror, plain(tuple(mirror))) for mirror in mirrors]
+        found = [(mirror, plain_address(tuple(mirror))) for mirror in mirrors]
         for mirror, address in found:
             if address is None:
                 raise SessionError(f"mirror {mirror!r} is not a numeric address and a port; resolve it first")
@@ -143,7 +151,7 @@ class RoutedTransport:
         known = self._neighbours.get(neighbour)
         if known is None or known.member != member:
             self.forget(neighbour)
-            self._neighbours[neighbour] = Known(member, self._entropy(PAIR_NONCE_BYTES), PathProber(self._ground.now()))
+            self._neighbours[neighbour] = Known(member, self._entropy(PAIR_NONCE_BYTES), PathProber(self._socket.now()))
             self._relay_limit.know(ByRelay(member))
 
     def path_state(self, neighbour: int) -> PathState:
@@ -161,11 +169,11 @@ class RoutedTransport:
         self._events.clear()
         return out
 
-    def take(self, message: Message) -> bool:
+    def take(self, message: SignedMessage) -> bool:
         """Takes a message of the control plane; whether it was one about ways."""
         if message.topic != TOPIC:
             return False
-        now = self._ground.now()
+        now = self._socket.now()
         offer = read_offer(message.body) if message.direct else None
         if offer is None:
             self.probes.dropped["candidates"] += 1
@@ -199,9 +207,9 @@ class RoutedTransport:
         if known is not None:
             known.sent = self._last
         if member is None:
-            done = self._ground.send(neighbour, payload)  # and counts why not
+            done = self._socket.send(neighbour, payload)  # and counts why not
         elif known is not None and known.address is not None:
-            done = self._ground.reach(known.address, payload)
+            done = self._socket.reach(known.address, payload)
             by.unsent.update(() if done else ("system",))
         else:
             done = self._control.relay(member, payload)
@@ -222,13 +230,13 @@ class RoutedTransport:
         if not self._open:
             return []
         out: list[Arrival] = []
-        for arrival in self._ground.poll():
+        for arrival in self._socket.poll():
             if arrival.payload[0] == PROBE:
                 self._probe(arrival)
             else:
                 self.direct.count_received(arrival.payload)
                 out.append(arrival)
-        now = self._ground.now()
+        now = self._socket.now()
         if came := self._relayed(now):
             out = sorted(out + came, key=lambda arrival: arrival.time)
         if now >= self._serviced + _SERVICE:
@@ -258,16 +266,16 @@ class RoutedTransport:
         if known is not None and known.received is not None and known.received[0] == source:
             known.prober.learn(self._last, known.received[1])
             return
-        self._ground.follow(neighbour, source)  # its datagrams from there are no stranger's
+        self._socket.follow(neighbour, source)  # its datagrams from there are no stranger's
         self._by_relay.pop(neighbour, None)
-        address = plain(source)
+        address = plain_address(source)
         if known is not None and address is not None:
             known.received = (source, address)
             known.prober.learn(self._last, address)
 
     def forget(self, neighbour: int) -> None:
         """The neighbour left."""
-        self._ground.forget(neighbour)
+        self._socket.forget(neighbour)
         known = self._neighbours.pop(neighbour, None)
         if known is not None and known.label is not None:
             self._labels.pop(known.label, None)
@@ -279,10 +287,10 @@ class RoutedTransport:
     def close(self) -> None:
         """Closes the socket; the control plane stays."""
         self._open = False
-        self._ground.close()
+        self._socket.close()
 
     def _probe(self, arrival: Arrival) -> None:
-        source, datagram, dropped = plain(arrival.source), arrival.payload, self.probes.dropped
+        source, datagram, dropped = plain_address(arrival.source), arrival.payload, self.probes.dropped
         if source is None or len(datagram) < 2:
             dropped["probe: shape"] += 1
             return
@@ -386,7 +394,7 @@ class RoutedTransport:
                 known.tell = now
 
     def _out(self, to: Address, payload: bytes) -> None:
-        if self._ground.reach(to, payload):
+        if self._socket.reach(to, payload):
             self.probes.count_sent(payload)
         else:
             self.probes.unsent["system"] += 1

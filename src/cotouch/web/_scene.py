@@ -10,7 +10,7 @@ from cotouch.arrays import Float
 from cotouch.body import Body, CutSkin, cut_skin, drawn_parts, drawn_skin, drawn_tools
 from cotouch.device import NOTICED_DRAG
 from cotouch.mechanics import shape_table
-from cotouch.members import Status, felt
+from cotouch.members import Status, law_felt
 from cotouch.observers import CopyView, Overview, Scene
 from cotouch.web._verdict import judged
 
@@ -177,7 +177,7 @@ def state_message(
 def _law(overview: Overview) -> dict[str, object] | None:
     """Which law the links have, and what is felt of it; None before anybody moves."""
     here = {entry.slot for entry in overview.roster.members}
-    found = felt([status for slot, status in sorted(overview.statuses.items()) if slot in here])
+    found = law_felt([status for slot, status in sorted(overview.statuses.items()) if slot in here])
     return None if found is None else {**vars(found), "noticed": NOTICED_DRAG}
 
 

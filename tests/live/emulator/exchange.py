@@ -12,7 +12,7 @@ import struct
 import sys
 import time
 
-from cotouch.control import Message, Relayed
+from cotouch.control import Relayed, SignedMessage
 from cotouch.samples import Identity
 
 FRAME = struct.Struct(">HB32s")
@@ -78,7 +78,7 @@ class TcpControl:
         connection = socket.create_connection(at, timeout=20)
         connection.sendall(identity.public)
         self._line = Line(connection)
-        self._said: list[Message] = []
+        self._said: list[SignedMessage] = []
         self._relayed: list[Relayed] = []
 
     def _read(self) -> None:
@@ -89,13 +89,13 @@ class TcpControl:
                 self._relayed.append(Relayed(body, key, time.monotonic()))
             else:
                 topic, _, said = body.partition(b"\0")
-                self._said.append(Message(key, topic.decode(), said, True))
+                self._said.append(SignedMessage(key, topic.decode(), said, True))
 
     def send(self, topic: str, body: bytes, *, to: bytes | None = None) -> None:
         assert to is not None
         self._line.put(MESSAGE, to, topic.encode() + b"\0" + body)
 
-    def poll(self) -> list[Message]:
+    def poll(self) -> list[SignedMessage]:
         self._read()
         out, self._said = self._said, []
         return out

@@ -5,14 +5,14 @@ held, and a spring and damper pull each copy by how far it was, at the time of t
 """
 
 from cotouch.compiled import routine
-from cotouch.laboratory._replicas._replica import Replica, Run, advance, body_energy
+from cotouch.laboratory._replicas._replica import AxisRun, ReplicaKind, advance, body_energy
 
 # Of M/(N τ²) and M/(N τ), so that the loops around the delay τ stay calm.
 _PULL, _DAMP = 0.04, 0.35
 
 
 @routine
-def _move(run: Run) -> None:
+def _move(run: AxisRun) -> None:
     count, steps = run.mean.shape
     run.energy[0] = body_energy(run, run.place[0, 0], run.speed[0, 0])
     for k in range(steps):
@@ -35,7 +35,7 @@ def _move(run: Run) -> None:
             run.lost[k] += run.T * run.damping * rate * rate / count
 
 
-broadcast = Replica(
+broadcast = ReplicaKind(
     name="broadcast",
     move=_move,
     sends=("f", "x̂", "v̂"),

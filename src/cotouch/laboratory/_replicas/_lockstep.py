@@ -6,11 +6,11 @@ forces that the other may lack, so a loss costs as long as it takes for the next
 """
 
 from cotouch.compiled import routine
-from cotouch.laboratory._replicas._replica import Replica, Run, advance, body_energy
+from cotouch.laboratory._replicas._replica import AxisRun, ReplicaKind, advance, body_energy
 
 
 @routine
-def _move(run: Run) -> None:
+def _move(run: AxisRun) -> None:
     count, steps = run.mean.shape
     late = 1
     for i in range(count):
@@ -37,6 +37,6 @@ def _move(run: Run) -> None:
         run.lost[k] = run.T * run.damping * rate * rate
 
 
-lockstep = Replica(
+lockstep = ReplicaKind(
     name="lockstep", move=_move, sends=("f of all steps that may lack",), source="Bettner & Terrano 2001"
 )

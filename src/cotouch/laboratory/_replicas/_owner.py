@@ -4,11 +4,11 @@ The others push against the newest place that they know of, and their forces act
 """
 
 from cotouch.compiled import routine
-from cotouch.laboratory._replicas._replica import Replica, Run, advance, body_energy
+from cotouch.laboratory._replicas._replica import AxisRun, ReplicaKind, advance, body_energy
 
 
 @routine
-def _move(run: Run) -> None:
+def _move(run: AxisRun) -> None:
     count, steps = run.mean.shape
     x, v = run.place[0, 0], run.speed[0, 0]
     run.energy[0] = body_energy(run, x, v)
@@ -35,4 +35,4 @@ def _move(run: Run) -> None:
         run.lost[k] = run.T * run.damping * rate * rate
 
 
-owner = Replica(name="owner", move=_move, sends=("x̂ and v̂, or f",), numbers=2, source="networked physics in games")
+owner = ReplicaKind(name="owner", move=_move, sends=("x̂ and v̂, or f",), numbers=2, source="networked physics in games")

@@ -19,7 +19,7 @@ from cotouch.scenario import Hands, grip
 from cotouch.simulation import Prepared
 
 
-class Run(NamedTuple):
+class AxisRun(NamedTuple):
     """A run on one axis, for the kernels; copies are 0 to N - 1, steps 0 to S - 1.
 
     Attributes:
@@ -63,7 +63,7 @@ class Run(NamedTuple):
 
 @final
 @dataclass(frozen=True, kw_only=True)
-class Replica:
+class ReplicaKind:
     """A kind of replica.
 
     Attributes:
@@ -81,7 +81,7 @@ class Replica:
     sends: tuple[str, ...]
     source: str
     numbers: int = 1
-    join: Callable[[Run, Law, Mapping[str, float | str]], float] | None = None
+    join: Callable[[AxisRun, Law, Mapping[str, float | str]], float] | None = None
 
 
 @final
@@ -113,7 +113,7 @@ class Moved:
 
 @subroutine
 def advance(
-    run: Run, x: float, v: float, stiffness: float, damping: float, push: float, mass: float, own: float
+    run: AxisRun, x: float, v: float, stiffness: float, damping: float, push: float, mass: float, own: float
 ) -> float:
     """Mean velocity of the step of a body that moves by `m a + (B + b) v̂ + (K + k) x̂ = push`, by one step of NPMI.
 
@@ -133,7 +133,7 @@ def advance(
 
 
 @subroutine
-def body_energy(run: Run, x: float, v: float) -> float:
+def body_energy(run: AxisRun, x: float, v: float) -> float:
     """Of the body [J].
 
     Args:
@@ -144,7 +144,7 @@ def body_energy(run: Run, x: float, v: float) -> float:
     return 0.5 * run.mass * v * v + 0.5 * run.stiffness * x * x
 
 
-def replicate(kind: Replica, prepared: Prepared) -> Moved:
+def replicate(kind: ReplicaKind, prepared: Prepared) -> Moved:
     """Runs a prepared scenario with replicas instead of links.
 
     Args:
@@ -178,7 +178,7 @@ def replicate(kind: Replica, prepared: Prepared) -> Moved:
 
     scalar = [float(matrix.sum()) for matrix in (body.mass, body.damping, body.stiffness)]
     for axis in range(body.dimension):
-        run = Run(
+        run = AxisRun(
             *scalar,
             T=float(timing.length.flat[0]),
             used=used,

@@ -8,11 +8,11 @@ repeats all forces that the other may lack.
 import numpy as np
 
 from cotouch.compiled import routine, subroutine
-from cotouch.laboratory._replicas._replica import Replica, Run, advance, body_energy
+from cotouch.laboratory._replicas._replica import AxisRun, ReplicaKind, advance, body_energy
 
 
 @subroutine
-def _pushed(run: Run, force: np.ndarray, i: int, k: int, m: int) -> float:
+def _pushed(run: AxisRun, force: np.ndarray, i: int, k: int, m: int) -> float:
     """All hands' forces in step m as copy i knows them in step k, its own for m < k [N]."""
     push = 0.0
     for j in range(force.shape[0]):
@@ -25,7 +25,7 @@ def _pushed(run: Run, force: np.ndarray, i: int, k: int, m: int) -> float:
 
 
 @routine
-def _move(run: Run) -> None:
+def _move(run: AxisRun) -> None:
     count, steps = run.mean.shape
     force = np.zeros((count, steps))
     sure = np.zeros(count, np.int64)
@@ -57,4 +57,6 @@ def _move(run: Run) -> None:
             run.lost[k] += run.T * run.damping * rate * rate / count
 
 
-rollback = Replica(name="rollback", move=_move, sends=("f of all steps that may lack",), source="Cannon; Bernier 2001")
+rollback = ReplicaKind(
+    name="rollback", move=_move, sends=("f of all steps that may lack",), source="Cannon; Bernier 2001"
+)

@@ -10,8 +10,8 @@ import numpy as np
 
 from cotouch.arrays import Float, Int, Long
 from cotouch.compiled import routine, subroutine
-from cotouch.laboratory._replicas._replica import Replica, Run, advance, body_energy
-from cotouch.laws import END_WORDS, End, Facts, Law, Part, hand, handed
+from cotouch.laboratory._replicas._replica import AxisRun, ReplicaKind, advance, body_energy
+from cotouch.laws import END_WORDS, CompiledHalf, End, Facts, Law, hand, handed
 
 _LIGHT = 0.05  # [kg]
 
@@ -40,8 +40,8 @@ class Spokes(NamedTuple):
         words: as the law reads an end, (2N, words).
     """
 
-    before: Part
-    after: Part
+    before: CompiledHalf
+    after: CompiledHalf
     parameters: Float
     spring: Float
     brake: Float
@@ -62,7 +62,15 @@ class Spokes(NamedTuple):
 
 @subroutine
 def _take(
-    run: Run, spokes: Spokes, copy: int, k: int, stiffness: float, damping: float, push: float, mass: float, own: float
+    run: AxisRun,
+    spokes: Spokes,
+    copy: int,
+    k: int,
+    stiffness: float,
+    damping: float,
+    push: float,
+    mass: float,
+    own: float,
 ) -> float:
     """Step k of a copy, whose hand is a spring, a damper and a push; its mean velocity."""
     count = spokes.spring.shape[0]
@@ -121,7 +129,7 @@ def _take(
 
 
 @routine
-def _move(run: Run, spokes: Spokes) -> None:
+def _move(run: AxisRun, spokes: Spokes) -> None:
     count, steps = run.mean.shape
     state = spokes.state
     run.energy[0] = body_energy(run, state[0, 0, 0], state[0, 1, 0])
@@ -139,7 +147,7 @@ def _move(run: Run, spokes: Spokes) -> None:
             run.energy[k + 1] += 0.5 * _LIGHT * run.speed[j, k + 1] ** 2
 
 
-def _serve(run: Run, law: Law, given: Mapping[str, float | str]) -> float:
+def _serve(run: AxisRun, law: Law, given: Mapping[str, float | str]) -> float:
     """Runs it; what the ends of all spokes may make [J]."""
     count, steps = run.mean.shape
     longest = (run.delay + run.delay.T).max(axis=1)
@@ -198,7 +206,7 @@ def _serve(run: Run, law: Law, given: Mapping[str, float | str]) -> float:
             words=np.zeros((2 * count, END_WORDS), dtype=np.int64),
         ),
     )
-    return sum(law.seed_of(values) for values in parameters)
+    return sum(law.initial_energy_of(values) for values in parameters)
 
 
-server = Replica(name="server", move=_move, join=_serve, sends=("x̂",), source="Buttolo et al. 1997")
+server = ReplicaKind(name="server", move=_move, join=_serve, sends=("x̂",), source="Buttolo et al. 1997")
