@@ -46,16 +46,16 @@ _PLAIN = {
 # Of bodies with a material.
 _CLOSED_SUMS = {"world_loss": "of body_loss: lost so far in friction and damping at obstacles and between bodies"}
 _CLOSED = {
-    "closure": ("J", "work on the velocity that closed the step; in no other book"),
-    "closure_factor": ("1", "by how much that changed the velocity, |beta - 1|"),
-    "shortened": ("1", "share of the step that was given up to close it"),
+    "closure": ("J", "work of the velocity correction that closed the step; in no other variable"),
+    "closure_factor": ("1", "relative change of the velocity by it, |beta - 1|"),
+    "shortened": ("1", "fraction of the step that was given up to close it"),
     "world_stored": ("J", "of elastic: held by obstacles and between bodies"),
 }
 # By the recorded name: the one in a run, unit, meaning.
 _TOOLS = {
     "tool_place": ("tool_position", "m", "position y of a proxy"),
     "tool_rate": ("tool_velocity", "m/s", "velocity w of a proxy"),
-    "drive_force": ("drive_force", "N", "mean force over the step of what pulls a proxy"),
+    "drive_force": ("drive_force", "N", "mean force over the step of what drives a proxy"),
     "touch_force": ("touch_force", "N", "mean force over the step of contacts or grasp on a proxy"),
 }
 
@@ -140,7 +140,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
             "1",
             "by what closing the step scaled each body's velocity",
         )
-        put("body_centre", ("user", "step", "body", "space"), centres, "m/s", "velocity about which that scaled it")
+        put("body_centre", ("user", "step", "body", "space"), centres, "m/s", "velocity about which that factor acted")
     forces = [_shifted(_force(recording)) for recording in recordings]
     put("force", ("user", "step", "axis"), list(enumerate(forces)), "N", "sum of the mean forces at a user's ports")
     for name, (shown, unit, text) in _TOOLS.items():
@@ -150,8 +150,8 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
     if directions:
         for name, unit, text in (
             ("link_work", "J", "work of the link on its receiver so far"),
-            ("age", "s", "age of the sample used, by the clocks as they are"),
-            ("used", "1", "index of the sample used; < 0 where it has none"),
+            ("age", "s", "age of the sample used, by uncorrected clocks"),
+            ("used", "1", "index of the sample used; < 0 if it has none"),
             (
                 "link_state",
                 "1",
