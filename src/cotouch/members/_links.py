@@ -11,7 +11,7 @@ Pair = tuple[int, int]
 
 
 def present_links(network: Network, members: Iterable[int]) -> list[Pair]:
-    """The given links among those who are there; where these leave them in pieces, the stiffest springs join them.
+    """The given links among those present; if these fall into parts, the stiffest springs join them.
 
     Args:
         network: of the session.
@@ -37,7 +37,7 @@ def present_links(network: Network, members: Iterable[int]) -> list[Pair]:
 
 
 def delays_of(network: Network, sums: dict[Pair, float]) -> Float:
-    """Delays for the planner, from what was measured: half of the way there and back in each direction.
+    """Delays for the planner from measured round trips, half for each direction.
 
     Only the sum is known without common clocks, and only the sum decides the damping. Pairs that nobody measured keep
     the delays of the session's file.

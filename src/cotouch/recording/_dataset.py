@@ -138,7 +138,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
             ("user", "step", "body"),
             factors,
             "1",
-            "by what closing the step scaled each body's velocity",
+            "factor by which closing the step scaled each body's velocity",
         )
         put("body_centre", ("user", "step", "body", "space"), centres, "m/s", "velocity about which that factor acted")
     forces = [_shifted(_force(recording)) for recording in recordings]
@@ -179,7 +179,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
         column(name, ("user", "step", *(f"{name}_{k}" for k in range(wide))), unit, text)
     spare = slack_of(recordings, offsets)
     if spare is not None:
-        meaning = "lost so far in the damping B_i less what the age of samples added: what inequality (7) has to spare"
+        meaning = "lost so far in the damping B_i, less what the age of samples added: the slack of inequality (7)"
         data["slack"] = (("tick",), spare.energy, {"units": "J", "long_name": meaning})
         of_ticks = {"units": "s", "long_name": "time of the network-wide records"}
         data["tick_time"] = (("tick",), spare.time - start, of_ticks)
@@ -203,7 +203,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
 
 
 def save_dataset(run: "xr.Dataset", path: str | Path) -> None:
-    """Writes it to a NetCDF 4 file, compressed, whole or not at all.
+    """Writes a dataset to a NetCDF 4 file, compressed, whole or not at all.
 
     Args:
         run: the dataset.

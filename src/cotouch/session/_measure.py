@@ -21,7 +21,7 @@ _POLL = 0.02
 @final
 @dataclass(frozen=True, kw_only=True)
 class Measured:
-    """The network of a session as it is.
+    """The network of a session as measured.
 
     Attributes:
         network: of those who are there: their names, the session's springs, measured delays, the links in force. A
@@ -53,7 +53,7 @@ class Measured:
 
 
 def measured(watch: SessionWatch, session: SessionFile) -> Measured:
-    """What members have said of their ways so far.
+    """What members have reported about their paths so far.
 
     Args:
         watch: of the session.
