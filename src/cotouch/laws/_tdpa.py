@@ -66,10 +66,10 @@ TDPA = register(
         after=_after,
         source="Hannaford & Ryu 2002; Ryu, Artigas & Preusche 2010",
         parameters=(
-            Parameter(name="seed", meaning="energy that an end may give before it has got any [J]", default=0.05),
-            Parameter(name="damping", meaning="β₀, always at the end that gets the force [Ns/m]", default=1.0),
+            Parameter(name="seed", meaning="energy that an end may give before it has received any [J]", default=0.05),
+            Parameter(name="damping", meaning="β₀, always on at the end that receives the force [Ns/m]", default=1.0),
             Parameter(name="most", meaning="greatest damper there [Ns/m]", default=100.0),
-            Parameter(name=FORCE, meaning="most that a neighbour may push or pull with [N]", default=inf),
+            Parameter(name=FORCE, meaning="largest force with which a neighbour may push or pull [N]", default=inf),
         ),
         sends=("F",),
         sends_scalars=("E_in",),
