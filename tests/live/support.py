@@ -6,6 +6,7 @@ import random
 from collections.abc import Callable
 
 import numpy as np
+from tests.samples.memory import MemoryNetwork
 
 from cotouch.samples import (
     Agreement,
@@ -15,7 +16,6 @@ from cotouch.samples import (
     Identity,
     Layout,
     LinkKeys,
-    MemoryNetwork,
     PathLaw,
     SampleLink,
     SamplePlane,
