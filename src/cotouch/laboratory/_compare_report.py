@@ -50,7 +50,8 @@ def write_report(data: "xr.Dataset", path: Path) -> Path:
         if "map_cost" in data:
             sections.append(_maps(data))
         sections += [*_fronts(data, study), _price(data), _method(data, study)]
-    html = page(title=study.title, lead=_lead(data, study), sections=sections, footer=_footer(data))
+    footer = f"cotouch {escape(data.attrs['version'])}. All numbers are in results.nc beside this page."
+    html = page(title=study.title, lead=_lead(data, study), sections=sections, footer=footer)
     write(path, html.encode("utf-8"), "report")
     return path
 
@@ -370,7 +371,3 @@ def _method(data: "xr.Dataset", study: Study) -> Section:
         + (f"<p>What could not be run:</p><ul>{left}</ul>" if left else "")
         + f"<h3>Settings</h3>{table(['law', 'network', 'multiples of the defaults'], rows, text=(0, 1, 2))}",
     )
-
-
-def _footer(data: "xr.Dataset") -> str:
-    return f"cotouch {escape(data.attrs['version'])}. All numbers are in results.nc beside this page."

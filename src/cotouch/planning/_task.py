@@ -124,7 +124,7 @@ def admissible(task: Task, chosen: Long) -> bool:
     for without in range(-1, task.size if task.lost == LOST_USER else 0):
         if not _joined(task, chosen, -1, without, group):
             return False
-    for e in chosen[: len(chosen) if task.lost == LOST_LINK else 0]:
+    for e in chosen[: len(chosen) if task.lost == LOST_LINK else 0]:  # noqa: SIM110 (kernels have no generators)
         if not _joined(task, chosen, e, -1, group):
             return False
     return True

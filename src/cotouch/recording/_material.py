@@ -336,11 +336,9 @@ def _world_of(arrays: Mapping[str, Array]) -> dict[str, Array]:
     extents = [values.shape for values in world.values()]
     if extents != [extents[0], (*extents[0], _SHAPE), (*extents[0], len(_LAW))] or len(extents[0]) != 1:
         raise ValueError(f"the surroundings of the body have arrays of shapes {extents}")
-    return world | {name: np.asarray(arrays[_PREFIX + _WORLD + name]) for name in NAMES if _has(arrays, name)}
-
-
-def _has(arrays: Mapping[str, Array], name: str) -> bool:
-    return _PREFIX + _WORLD + name in arrays
+    return world | {
+        name: np.asarray(arrays[_PREFIX + _WORLD + name]) for name in NAMES if _PREFIX + _WORLD + name in arrays
+    }
 
 
 def _number(said: Array) -> float | Float:

@@ -326,7 +326,8 @@ class Animation:
         packer.add("tool_force", self.tools.force, "f4")
         packer.add("grip_place", self.ports.place, "f4")
         packer.add("grip_force", self.ports.force, "f4")
-        forces = (UserSeries(name="Force", unit="N", values=self.felt()),) if self._touched() else ()
+        touched = self.tools.owner.size or self.ports.owner.size
+        forces = (UserSeries(name="Force", unit="N", values=self.felt()),) if touched else ()
         series = (*forces, *self.series)
         for number, entry in enumerate(series):
             packer.add(f"series_{number}", entry.values, "f4")
@@ -371,9 +372,6 @@ class Animation:
         for track, owner in enumerate(self.ports.owner):
             total[:, owner] -= self.ports.force[:, track]
         return np.linalg.norm(total, axis=-1)
-
-    def _touched(self) -> bool:
-        return bool(self.tools.owner.size or self.ports.owner.size)
 
     def _peaks(self) -> tuple[float, float]:
         """Largest displacement from rest, and largest distance of a copy's vertex from the mean of the copies [m]."""
