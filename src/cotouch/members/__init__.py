@@ -6,7 +6,7 @@ from cotouch.members._device_table import coupling_of_slot, device_tools
 from cotouch.members._emulate import path_laws
 from cotouch.members._felt import Felt, felt, margin_of
 from cotouch.members._file import MOST_USERS, SessionFile
-from cotouch.members._hand import Hand, NoHand, ScriptedHand, Slot, grips_of, handles_of, no_ports
+from cotouch.members._hand import Hand, NoHand, ScriptedHand, Slot, SlotHand, grips_of, handles_of, no_ports
 from cotouch.members._host import Host
 from cotouch.members._links import Pair, delays_of, present_links
 from cotouch.members._live_law import LiveLaw
@@ -77,6 +77,7 @@ __all__ = [
     "SessionWatch",
     "SharedModel",
     "Slot",
+    "SlotHand",
     "Status",
     "StepRecorder",
     "addresses_of",
