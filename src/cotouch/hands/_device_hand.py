@@ -251,7 +251,7 @@ class _Hold:
             self._link.order(there, message)
             return
         twisted.after()
-        self._link.order(there, message, orientation=twisted.orientation, twist=twisted.message)
+        self._link.order(there, message, orientation=twisted.orientation, twist=twisted.end.message)
 
 
 def _scale(link: ServoLink, below: CouplingChoice, body: Body) -> float:
