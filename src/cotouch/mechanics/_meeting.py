@@ -33,15 +33,28 @@ class Between:
     own: bool = False
 
     def __post_init__(self) -> None:
-        for name, least in (("stiffness", "above"), ("loss", "at least"), ("friction", "at least")):
-            value = getattr(self, name)
-            if not (math.isfinite(value) and (value > 0.0 or (value == 0.0 and least == "at least"))):
-                raise BodyError(f"{name} between bodies is {value:g}; it must be a finite number {least} 0")
-        if self.kinetic is not None and not 0.0 <= self.kinetic <= self.friction:
-            raise BodyError(
-                f"kinetic friction between bodies is {self.kinetic:g}; it must be between 0 and friction, "
-                f"{self.friction:g}"
-            )
+        check_foundation(self.stiffness, self.loss, self.friction, self.kinetic, " between bodies")
+
+
+def check_foundation(stiffness: float, loss: float, friction: float, kinetic: float | None, where: str = "") -> None:
+    """Whether what one leans on can be.
+
+    Args:
+        stiffness: κ [N/m³].
+        loss: λ [s/m].
+        friction: Coulomb's coefficient of what does not slip.
+        kinetic: of what slips; None: the same.
+        where: it is, for messages.
+
+    Raises:
+        BodyError: a number is out of its range.
+    """
+    for name, value in (("stiffness", stiffness), ("loss", loss), ("friction", friction)):
+        least = "above" if name == "stiffness" else "at least"
+        if not (math.isfinite(value) and (value > 0.0 or (value == 0.0 and least == "at least"))):
+            raise BodyError(f"{name}{where} is {value:g}; it must be a finite number {least} 0")
+    if kinetic is not None and not 0.0 <= kinetic <= friction:
+        raise BodyError(f"kinetic friction{where} is {kinetic:g}; it must be between 0 and friction, {friction:g}")
 
 
 @by_address

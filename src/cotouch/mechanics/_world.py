@@ -1,14 +1,13 @@
 """What stands still around a body: obstacles that it rests on and bumps into, as the kernels want them."""
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, final
 
 from cotouch.arrays import Float, Int
 from cotouch.body import Body
-from cotouch.errors import BodyError, UnsupportedError
-from cotouch.mechanics._meeting import Meeting
+from cotouch.errors import UnsupportedError
+from cotouch.mechanics._meeting import Meeting, check_foundation
 from cotouch.mechanics._shape import Shape, packed
 from cotouch.mechanics._shape_solid import Solid
 from cotouch.passing import by_address
@@ -34,14 +33,7 @@ class Obstacle:
     kinetic: float | None = None
 
     def __post_init__(self) -> None:
-        for name, least in (("stiffness", "above"), ("loss", "at least"), ("friction", "at least")):
-            value = getattr(self, name)
-            if not (math.isfinite(value) and (value > 0.0 or (value == 0.0 and least == "at least"))):
-                raise BodyError(f"{name} is {value:g}; it must be a finite number {least} 0")
-        if self.kinetic is not None and not 0.0 <= self.kinetic <= self.friction:
-            raise BodyError(
-                f"kinetic friction is {self.kinetic:g}; it must be between 0 and friction, {self.friction:g}"
-            )
+        check_foundation(self.stiffness, self.loss, self.friction, self.kinetic)
         if not isinstance(self.shape, Solid):
             packed(self.shape, (0.0, 0.0, 0.0))
 
