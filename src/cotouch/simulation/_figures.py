@@ -171,8 +171,7 @@ def _forces(run: "xr.Dataset") -> "Figure":
         last.plot(*decimate(ticks[1:], total[1:, axis] / factor), color=INK, linestyle=DASHES[axis], label=label)
     if axes > 1:
         last.legend(loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=axes)
-    last.set_ylabel(f"Sum / {unit}")
-    last.set_title("Sum over users")
+    last.set(ylabel=f"Sum / {unit}", title="Sum over users")
     panels[0].set_title("Force of the hands" if "tool" not in run.sizes else "Force of hands and tools on the object")
     _limit(panels, run)
     user_legend(panels[0], [str(name) for name in run["user"].values])
@@ -232,9 +231,7 @@ def _touch(run: "xr.Dataset") -> "Figure":
         for tool, owner in enumerate(owners):
             seen = decimate(run["time"].values[owner][1:], values[tool, 1:] / factor)
             panel.plot(*seen, **_tool_line(owners, tool))
-        panel.set_ylabel(f"|f| / {unit}")
-        panel.set_title(title)
-        panel.set_ylim(bottom=0.0)
+        panel.set(ylabel=f"|f| / {unit}", title=title, ylim=(0.0, None))
     last = panels[-1]
     shade_hold(last, run, label=False)
     counts = run["touching"].values
@@ -245,9 +242,7 @@ def _touch(run: "xr.Dataset") -> "Figure":
         moments, steps = time[known][np.minimum(changes, known.sum() - 1)], counts[tool, known]
         level = [float(steps[min(change, steps.size - 1)]) for change in changes]
         last.step(moments, level, where="post", linewidth=0.9, **_tool_line(owners, tool))
-    last.set_title("Active contacts, or nodes held")
-    last.set_ylabel("Number")
-    last.set_ylim(bottom=0.0)
+    last.set(title="Active contacts, or nodes held", ylabel="Number", ylim=(0.0, None))
     last.yaxis.set_major_locator(MaxNLocator(integer=True, nbins=4))
     panels[0].set_xlim(0.0, float(np.nanmax(run["time"].values)))
     _user_legend_of(panels[0], run, owners)
@@ -329,9 +324,7 @@ def _ages(run: "xr.Dataset") -> "Figure":
         for user in np.unique(receivers):
             draw(int(user), _highest(ages[receivers == user]), "")
         title = "Age of the oldest sample that each step uses, by receiver"
-    panel.set_title(title if names else "No links, so no samples")
-    panel.set_ylabel(f"Age / {unit}")
-    panel.set_ylim(bottom=0.0)
+    panel.set(title=title if names else "No links, so no samples", ylabel=f"Age / {unit}", ylim=(0.0, None))
     _limit([panel], run)
     if len(names) > _MOST_LABELS:
         user_legend(panel, [str(name) for name in run["user"].values])
