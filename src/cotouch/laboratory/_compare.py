@@ -327,8 +327,6 @@ def _gathered(
     }
     for name, (unit, meaning) in FELT.items():
         data[f"felt_{name}"] = (axes, felt[name], {"units": unit, "long_name": meaning})
-    data["dangerous"] = ((*axes, "hand"), risky, {"long_name": "1 where a push doesn't die away"})
-    data["loose"] = (axes, untied, {"long_name": "1 where copies that nobody holds drive each other apart"})
     settings = [
         [
             [json.dumps(found[law, n.tuned_on or n.name]["settings"].get(tuning)) for n in study.networks]
@@ -336,14 +334,17 @@ def _gathered(
         ]
         for law in laws
     ]
-    data["setting"] = (axes[:3], np.array(settings, dtype=np.str_))
-    facts = [sizes(study, law) for law in study.laws]
-    data["bytes"] = ("law", np.array([float(fact["bytes"]) for fact in facts]), {"units": "B"})
-    data["promises"] = ("law", np.array([float(fact["promises"]) for fact in facts]))
-    data["sends"] = ("law", np.array([", ".join(fact["sends"]) for fact in facts], dtype=np.str_))
-    data["source"] = ("law", np.array([fact["source"] for fact in facts], dtype=np.str_))
-    taken = [law_time(study, law) for law in study.laws]
-    data["time"] = ("law", np.array(taken), {"units": "s", "long_name": "of an end and step, beyond a spring's"})
+    facts, taken = [sizes(study, law) for law in study.laws], [law_time(study, law) for law in study.laws]
+    data |= {
+        "dangerous": ((*axes, "hand"), risky, {"long_name": "1 where a push doesn't die away"}),
+        "loose": (axes, untied, {"long_name": "1 where copies that nobody holds drive each other apart"}),
+        "setting": (axes[:3], np.array(settings, dtype=np.str_)),
+        "bytes": ("law", np.array([float(fact["bytes"]) for fact in facts]), {"units": "B"}),
+        "promises": ("law", np.array([float(fact["promises"]) for fact in facts])),
+        "sends": ("law", np.array([", ".join(fact["sends"]) for fact in facts], dtype=np.str_)),
+        "source": ("law", np.array([fact["source"] for fact in facts], dtype=np.str_)),
+        "time": ("law", np.array(taken), {"units": "s", "long_name": "of an end and step, beyond a spring's"}),
+    }
     coordinates: dict[str, object] = {
         "law": laws,
         "tuning": tunings,

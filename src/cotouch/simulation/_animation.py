@@ -317,15 +317,18 @@ class Animation:
         """The page as text."""
         packer = Packer()
         low, step = packer.add_quantised("vertices", self.vertices)
-        packer.add("time", self.time, "f8")
-        packer.add("rest", self.rest, "f4")
-        packer.add("triangles", self.triangles, "u4")
-        packer.add("edges", self.edges, "u4")
-        packer.add("spans", self.spans, "f4")
-        packer.add("tool_centre", self.tools.centre, "f4")
-        packer.add("tool_force", self.tools.force, "f4")
-        packer.add("grip_place", self.ports.place, "f4")
-        packer.add("grip_force", self.ports.force, "f4")
+        for name, values, kind in (
+            ("time", self.time, "f8"),
+            ("rest", self.rest, "f4"),
+            ("triangles", self.triangles, "u4"),
+            ("edges", self.edges, "u4"),
+            ("spans", self.spans, "f4"),
+            ("tool_centre", self.tools.centre, "f4"),
+            ("tool_force", self.tools.force, "f4"),
+            ("grip_place", self.ports.place, "f4"),
+            ("grip_force", self.ports.force, "f4"),
+        ):
+            packer.add(name, values, kind)
         touched = self.tools.owner.size or self.ports.owner.size
         forces = (UserSeries(name="Force", unit="N", values=self.felt()),) if touched else ()
         series = (*forces, *self.series)
