@@ -104,11 +104,9 @@ def compare(
         raise ScenarioError(problems[0] if problems else "the study has no run that is stable")
     maps = _mapped(study, found, named)
     results = {place: scored[key] for place, key in asked.items()}
-    data = _gathered(study, tunings, results, found, maps)
-    data.attrs["problems"] = json.dumps(problems)
-    data.attrs["study"] = study.model_dump_json()
-    data.attrs["version"] = __version__
-    return data
+    return _gathered(study, tunings, results, found, maps).assign_attrs(
+        problems=json.dumps(problems), study=study.model_dump_json(), version=__version__
+    )
 
 
 def _tuned(study: Study, held: Mapping[str, list[str]], named: _Named) -> dict[tuple[str, str], Tuned]:
@@ -153,9 +151,11 @@ def _mapped(study: Study, found: Mapping[tuple[str, str], Tuned], named: _Named)
 def _part(study: Study, law: LawTable, network: NetworkTable, users: int, *, tuning: bool = False) -> dict[str, Any]:
     """All of a study that a cell follows from, and nothing else, so that a change elsewhere costs nothing."""
     whole = study.model_dump(mode="json", exclude={"title", "ours", "map"})
-    whole["laws"] = [law.model_dump(mode="json", exclude=None if law.replica else {"replica"})]
-    whole["networks"] = [network.model_dump(mode="json", exclude={"tuned_on"})]
-    whole["users"] = [users]
+    whole |= {
+        "laws": [law.model_dump(mode="json", exclude=None if law.replica else {"replica"})],
+        "networks": [network.model_dump(mode="json", exclude={"tuned_on"})],
+        "users": [users],
+    }
     if tuning:
         whole["draws"] = 2
     else:

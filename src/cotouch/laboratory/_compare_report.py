@@ -274,10 +274,12 @@ def _maps(data: "xr.Dataset") -> Section:
         "<b>Cost over delay and stiffness of two users' hands.</b> Crossed cells are dangerous: a push grows, or goes "
         "on for ever. The line is where that begins."
     )
-    body = figure(maps(data), "danger", caption, "Maps of cost over delay and stiffness, one for each law.")
-    body += f"<p>The largest delay, one way, up to which none was found dangerous, in ms:</p>{table(head, lines)}"
-    body += "<p>Where both hold still at places of their own, speed of copies in the last fifth of a run, the most at "
-    body += f"any delay, in mm/s:</p>{table(head, moving)}"
+    drawn = figure(maps(data), "danger", caption, "Maps of cost over delay and stiffness, one for each law.")
+    body = (
+        f"{drawn}<p>The largest delay, one way, up to which none was found dangerous, in ms:</p>{table(head, lines)}"
+        "<p>Where both hold still at places of their own, speed of copies in the last fifth of a run, the most at "
+        f"any delay, in mm/s:</p>{table(head, moving)}"
+    )
     return Section(anchor="danger-maps", title="Where laws become dangerous", body=body)
 
 
