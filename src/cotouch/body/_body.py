@@ -105,11 +105,9 @@ class Body:
         }
         full = any(matrix.shape[0] != nodes for matrix in matrices.values())
         rows = nodes * dimension if full else nodes
-        if full:
-            identity = sp.eye_array(dimension)
-            for name, matrix in matrices.items():
-                if matrix.shape[0] == nodes:
-                    matrices[name] = sp.csr_array(sp.kron(matrix, identity))
+        for name, matrix in matrices.items():
+            if full and matrix.shape[0] == nodes:
+                matrices[name] = sp.csr_array(sp.kron(matrix, sp.eye_array(dimension)))
         check_mass(matrices["mass"], dimension if full else 1)
         for name, matrix in matrices.items():
             if name in known:

@@ -101,10 +101,8 @@ def ranks(found: Topologies, errata: Errata) -> "Figure":
         for graph, color, word in ((ranking.best, _GOOD, "its best"), (ranking.worst, _BAD, "its worst")):
             if not never[graph]:
                 panel.plot(shown[graph], decay[graph], "o", color=color, markersize=5.5, label=word)
-        panel.set(
-            title=f"{convention.capitalize()}: rank correlation {errata.spearman[convention]:.2f}",
-            xlabel="Time constant of the first-order model / s",
-        )
+        panel.set_title(f"{convention.capitalize()}: rank correlation {errata.spearman[convention]:.2f}")
+        panel.set_xlabel("Time constant of the first-order model / s")
         panel.set_xticks([1, 2, 5, 10, 20, 50, 100, 200], labels=["1", "2", "5", "10", "20", "50", "100", "200"])
         panel.set_xticks([], minor=True)
         panel.set_ylim(0.0, 1.3 * float(decay.max()))
