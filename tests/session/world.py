@@ -8,7 +8,7 @@ import numpy as np
 from tests.control.memory import MemoryControl, MemoryControlNetwork
 from tests.samples.memory import MemoryNetwork, MemoryTransport
 
-from cotouch.control import Message
+from cotouch.control import SignedMessage
 from cotouch.hands import CommandedHand, DeviceHand
 from cotouch.haptics import ServoLink
 from cotouch.mechanics import Model
@@ -76,7 +76,7 @@ class MemoryPaths:
         """As it was told."""
         return self._path(self._at[slot]) if slot in self._at else None
 
-    def take(self, message: Message) -> bool:
+    def take(self, message: SignedMessage) -> bool:
         """Nothing is said about ways."""
         return False
 
