@@ -115,7 +115,7 @@ def show(rows: list[Row]) -> None:
     from rich.table import Table
 
     table = Table(caption=machine(), caption_justify="left", title_justify="left", row_styles=["", "dim"])
-    for heading in ("", "measured", "value", "goal", "beside it"):
+    for heading in ("", "measured", "value", "goal", "note"):
         table.add_column(heading, justify="right" if heading in {"value", "goal"} else "left", overflow="fold")
     previous = ""
     for row in rows:
@@ -136,7 +136,7 @@ def _save(rows: list[Row]) -> None:
             name, _, text = part.partition("\n")
             sections[name.strip()] = text.strip()
     for name in dict.fromkeys(row.section for row in rows):
-        lines = [f"Measured on {machine()}.", "", "| measured | value | goal | beside it |", "|---|---|---|---|"]
+        lines = [f"Measured on {machine()}.", "", "| measured | value | goal | note |", "|---|---|---|---|"]
         lines += [
             f"| {' | '.join(cell.replace('|', '/') for cell in row[1:])} |" for row in rows if row.section == name
         ]

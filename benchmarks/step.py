@@ -210,7 +210,9 @@ def lattices(reference: Reference | None) -> list[Row]:
             rows.append(Row("step", "— the same step in C", _us(seconds["c"] / steps), "", note))
         if side == MAIN:
             extra = float(np.median(seconds["python"] / steps - each))
-            rows.append(Row("step", "— a call from Python costs beside it", f"{1e6 * extra:,.0f} µs", "", "each step"))
+            rows.append(
+                Row("step", "— a call from Python costs in addition", f"{1e6 * extra:,.0f} µs", "", "each step")
+            )
     return rows
 
 

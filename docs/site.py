@@ -28,7 +28,7 @@ def _rooms() -> dict[str, str]:
             continue
         tree = ast.parse(file.read_text(encoding="utf-8"))
         if any(isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__" for node in tree.body):
-            found[file.parent.name] = re.split(r"(?<=[.:])\s", ast.get_docstring(tree) or "")[0]
+            found[file.parent.name] = re.split(r"(?<=\.)\s", ast.get_docstring(tree) or "")[0]
     last = len(ORDER)
     return dict(sorted(found.items(), key=lambda room: ORDER.index(room[0]) if room[0] in ORDER else last))
 
@@ -49,9 +49,10 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
     pages["errors"] = "# cotouch.errors\n\n::: cotouch.errors\n"
     table = "\n".join(f"| [`{name}`]({name}.md) | {text} |" for name, text in rooms.items())
     pages["index"] = (
-        "# API reference\n\nWhat `import cotouch` gives, below; and the rooms behind it.\n\n"
+        "# API reference\n\nThe rooms of the package, and below them the names that `import cotouch` provides.\n\n"
         "| room | what it is |\n|---|---|\n"
-        f"{table}\n| [`errors`](errors.md) | The error tree. |\n\n## cotouch\n\n::: cotouch\n"
+        f"{table}\n| [`errors`](errors.md) | Every error that cotouch raises on purpose, as one tree. |\n\n"
+        "## cotouch\n\n::: cotouch\n"
     )
     for name, text in pages.items():
         files.append(File.generated(config, f"reference/{name}.md", content=text))
@@ -61,7 +62,7 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
 
 
 def on_page_markdown(markdown: str, page: Page, config: MkDocsConfig, files: Files) -> str:
-    """Takes formulas out, so that Markdown leaves them alone."""
+    """Takes formulas out, so that Markdown leaves them alone; commands are drawn as a shell's."""
     formulas = list[str]()
 
     def out(match: re.Match[str]) -> str:
@@ -71,13 +72,15 @@ def on_page_markdown(markdown: str, page: Page, config: MkDocsConfig, files: Fil
         return f"FORMULA{len(formulas) - 1}X"
 
     markdown = FORMULA.sub(out, markdown).replace(f"](../{RESULTS}", "](benchmarks.md")
+    markdown = markdown.replace("\n```console\n", "\n```bash\n")  # as a console, commands would be drawn as output
     page.meta["formulas"] = formulas
     return markdown
 
 
 def on_page_content(html: str, page: Page, config: MkDocsConfig, files: Files) -> str:
-    """Puts them back as MathML, which browsers draw by themselves."""
+    """Puts them back as MathML, which browsers draw by themselves; short code in a line is never broken."""
     formulas: list[Any] = page.meta["formulas"]
+    html = re.sub(r"<code>(?=[^<\n]{1,24}</code>)", '<code class="short">', html)
     return re.sub(r"FORMULA(\d+)X", lambda match: formulas[int(match[1])], html)
 
 

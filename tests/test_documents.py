@@ -6,10 +6,12 @@ import tomllib
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, get_type_hints
 
 import pytest
 import typer
+
+from cotouch.members import SessionFile
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "src" / "cotouch"
@@ -25,6 +27,9 @@ LINK = re.compile(r"\]\(([^)\s]+)\)")
 MENTIONED = re.compile(r"`((?:cotouch|make|python) [^`\n]*)`")
 SAID_ABOVE = re.compile(r"^# {2,}((?:cotouch|make|python) .*)$", re.MULTILINE)
 EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
+OPTIONS = frozenset(get_type_hints(SessionFile)["options"].model_fields)
+# Names of other people's software.
+ELSEWHERE = frozenset({"HD_OUTPUT_DOF", "HD_CURRENT_TORQUE", "defer_build"})
 
 
 def name(path: Path) -> str:
@@ -79,6 +84,36 @@ def test_what_does_not_exist_is_found():
     page = PACKAGE / "peer" / "DESIGN.md"
     text = "`_guard.py` `peer/_gone.py` `tests/peer/test_guard.py::test_gone` `tests/peer/test_guard.py`"
     assert wrong_files(page, text) == ["peer/_gone.py", "tests/peer/test_guard.py::test_gone"]
+
+
+@cache
+def words() -> frozenset[str]:
+    """Every identifier of the sources."""
+    kinds = {"src": "*.py", "tests": "*.py", "benchmarks": "*.py", "page/src": "*.ts"}
+    texts = (file.read_text(encoding="utf-8") for folder, kind in kinds.items() for file in (ROOT / folder).rglob(kind))
+    return frozenset(word for text in texts for word in re.findall(r"\w+", text))
+
+
+def wrong_names(text: str) -> list[str]:
+    """Names in backticks that no source has, or that would be options of a session and are none."""
+    names = re.findall(r"(?<!\$)`([A-Za-z_][\w.]*)`", text)
+    gone = [name for name in names if "_" in name and not set(name.split(".")) - {""} <= words() | ELSEWHERE]
+    return gone + [name for name in names if re.fullmatch(r"session\.(?!py)\w+", name) and name[8:] not in OPTIONS]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name)
+def test_names_that_are_given_exist(page: Path):
+    assert wrong_names(prose(page)) == []
+
+
+def test_every_option_of_a_session_has_its_row():
+    table = prose(ROOT / "docs" / "session.md").partition("## Options of [session]")[2].partition("\n## ")[0]
+    assert set(re.findall(r"^\| `(\w+)` \|", table, re.MULTILINE)) == OPTIONS - {"devices"}
+
+
+def test_a_name_that_is_gone_is_found():
+    text = "`stiffness_scale` `" + "stiffness" + "_portion` `session.margin` `session.gather` `$T_w$`"
+    assert wrong_names(text) == ["stiffness" + "_portion", "session.gather"]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=name)

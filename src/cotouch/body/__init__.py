@@ -1,4 +1,4 @@
-"""The shared object and builders for it."""
+"""The shared object, and builders for it."""
 
 from cotouch.body._body import Body
 from cotouch.body._builders import MOST_NODES, GridModel, chain, lattice, point

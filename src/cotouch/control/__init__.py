@@ -1,4 +1,4 @@
-"""What members must all agree on: invitations, signed messages, presence and files, over Zenoh or in memory."""
+"""What all members must agree on: invitations, signed messages, presence and files, over Zenoh or in memory."""
 
 from cotouch.control._certificates import TlsCertificates, make_certificates
 from cotouch.control._control import ControlPlane, Relayed, SignedMessage

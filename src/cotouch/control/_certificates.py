@@ -25,7 +25,7 @@ _BEHIND, _SESSION = timedelta(days=1), timedelta(days=31)
 
 
 class TlsCertificates(NamedTuple):
-    """What one member's TLS takes, each in PEM.
+    """What one member's TLS needs, each in PEM.
 
     Attributes:
         authority: certificate of the session's authority, the only one that is trusted.

@@ -6,7 +6,7 @@ from cotouch.samples import Identity
 
 
 class SignedMessage(NamedTuple):
-    """A message of a member, its signature checked.
+    """A member's message, its signature verified.
 
     Attributes:
         sender: public key of the member who said it.
@@ -22,7 +22,7 @@ class SignedMessage(NamedTuple):
 
 
 class Relayed(NamedTuple):
-    """A datagram that came by the control plane, because there is no direct way.
+    """A datagram that arrived over the control plane, because there is no direct path.
 
     Attributes:
         payload: its bytes, sealed for the link as any other datagram.
@@ -36,7 +36,7 @@ class Relayed(NamedTuple):
 
 
 class ControlPlane(Protocol):
-    """Carries messages between the invited and says who is there; nothing here waits.
+    """Carries messages between members and says who is present; nothing here waits.
 
     Messages between two members arrive once and in order while both are connected. They are lost when a member is cut
     off; so what must be known is said again. Members are known by their public keys.

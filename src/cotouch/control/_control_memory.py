@@ -19,7 +19,7 @@ _TURN = 0.05
 
 @final
 class MemoryControlNetwork:
-    """Carries messages between its members; the same seed, the same fates.
+    """Carries messages between its members; the seed decides their fates.
 
     Members beat as the clock is moved, whether they are polled or not.
     """

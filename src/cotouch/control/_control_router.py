@@ -12,7 +12,7 @@ from cotouch.control._zenoh import close_session, configuration, open_session
 
 @final
 class ControlRouter:
-    """Where members of one session meet who cannot reach each other: carries what they say, and cannot change it.
+    """Connects members of a session that cannot reach each other: carries their messages, but cannot change them.
 
     It is invited like a member, and reads what passes.
     """

@@ -82,7 +82,7 @@ def checked(endpoint: Endpoint) -> Endpoint:
 @final
 @dataclass(frozen=True, kw_only=True)
 class Invitation:
-    """What the invited know and nobody else: hand it over as carefully as a key.
+    """What only the invited know: hand it over as carefully as a key.
 
     Attributes:
         session: name for people, 1 to 64 characters.

@@ -43,7 +43,7 @@ class Whereabouts:
 
 
 def free_port(host: str = "127.0.0.1") -> int:
-    """A TCP port that nobody listens on now: for an invitation, which must name one before the host listens.
+    """A TCP port on which nobody listens now: an invitation must name one before the host listens.
 
     Args:
         host: address to listen on, in numbers.
@@ -94,7 +94,7 @@ def advertised(at: Endpoint, invitation: Invitation) -> Endpoint:
 
 
 def towards(invitation: Invitation) -> str | None:
-    """The address by which this machine reaches the host now; None: it does not. Nothing is sent."""
+    """The address from which this machine now reaches the host, or None. Nothing is sent."""
     try:
         return _towards(invitation)
     except TransportError:

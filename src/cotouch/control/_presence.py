@@ -70,7 +70,7 @@ class _Life:
 
 @final
 class Presence:
-    """Beats, and hears others beat. Opens nothing and knows no clock; never raises for what is in a beat.
+    """Sends beats and receives others'. Opens nothing, knows no clock, and never raises for a beat's contents.
 
     Attributes:
         refused: how many beats were of no use.

@@ -43,14 +43,14 @@ _BYTES_PER_UNIT = 16_384
 
 @final
 class MessageRefusal(Enum):
-    """Why a message was refused, in the order in which the reasons are looked for: counted, never raised."""
+    """Why a message was refused, in the order in which the reasons are checked: counted, never raised."""
 
     SIZE = "too short or too long to be one of ours"
     VERSION = "another version of the format"
     RATE = "more than this sender, or all together, may say"
     NOT_OURS = "for another member"
     OWN = "said to be from ourselves"
-    TOPIC = "a topic that is none"
+    TOPIC = "not a topic"
     COUNTER = "a counter near its end"
     REPLAYED = "seen before, or older than what was seen"
     STRANGERS = "one more sender than a session may have"
@@ -64,7 +64,7 @@ def cost_of(size: int) -> float:
 
 @final
 class MessageWriter:
-    """Signs what one member says."""
+    """Signs one member's messages."""
 
     def __init__(self, identity: Identity, session: bytes, *, started: int) -> None:
         """Begins to speak.
@@ -118,7 +118,7 @@ class MessageWriter:
 
 @final
 class MessageReader:
-    """Reads what others said. Never raises for what is in a message; a refused one changes nothing but a counter.
+    """Reads messages. Never raises for their contents; a refused one changes nothing but a counter.
 
     Not for several threads at once.
 

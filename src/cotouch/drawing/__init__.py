@@ -1,4 +1,4 @@
-"""What every figure of this package is made with: one restrained style, and the drawing of a network.
+"""The style of all figures, and the drawing of a network.
 
 Nothing here knows what is drawn: numbers, names and colours come in, lines and texts go out.
 """

@@ -161,7 +161,7 @@ class ForceDimension:
         dhd = self._opened()
         torque = np.zeros(3) if torque is None else torque
         if not (np.isfinite(force).all() and np.isfinite(torque).all()):
-            raise self._fault(f"{self._spec.name} was told a force that is not finite")
+            raise self._fault(f"{self._spec.name} was given a force that is not finite")
         began, before = time.monotonic(), self._began
         self._began = began
         try:

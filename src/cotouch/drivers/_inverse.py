@@ -156,7 +156,7 @@ class Inverse3:
         """See `Device.exchange`."""
         link = self._opened()
         if not np.isfinite(force).all():
-            raise self._fault("the Inverse3 was told a force that is not finite")
+            raise self._fault("the Inverse3 was given a force that is not finite")
         try:
             if self._owed == 0:
                 self._send(link, force)

@@ -182,7 +182,7 @@ class Touch:
         self._opened()
         torque = np.zeros(3) if torque is None else torque
         if not (np.isfinite(force).all() and np.isfinite(torque).all()):
-            raise self._fault(f"the {self._spec.name} was told a force that is not finite")
+            raise self._fault(f"the {self._spec.name} was given a force that is not finite")
         with self._met:
             self._force, self._torque, self._renewed = force.copy(), torque.copy(), time.monotonic()
             before = self._ticks
@@ -192,7 +192,7 @@ class Touch:
                 # Until the next exchange, which knows of it.
                 self._hushed, self._force, self._torque = False, np.zeros(3), np.zeros(3)
         if why is None and time.monotonic() - self._ticked > _LIMIT:
-            why = f"the library of the {self._spec.name} does not tick any more; is its cable loose?"
+            why = f"the library of the {self._spec.name} no longer ticks; is its cable loose?"
         if why is not None or last is None:
             raise self._fault(why or f"the {self._spec.name} gave no sample")
         return replace(last, flags=last.flags | Flag.LATE | Flag.STALE) if late else last

@@ -1,4 +1,4 @@
-"""Files that people name: looked at before they are opened, written whole or not at all."""
+"""Files that people name: checked before they are opened, written whole or not at all."""
 
 from cotouch.files._netcdf import NETCDF, write_netcdf
 from cotouch.files._read import MOST_TEXT, look, read_bytes, read_text, read_toml, toml

@@ -54,7 +54,7 @@ _BY_POINTER: frozenset[HandMode] = frozenset({"grab", "ball", "blade"})
 
 
 def usual_stiffness(scenario: Scenario, slot: int) -> float:
-    """Of a slot's hand: as its first in the session's file, else 100 N/m [N/m].
+    """Stiffness of a slot's hand: that of its first hand in the session's file, otherwise 100 N/m [N/m].
 
     Args:
         scenario: of the session.

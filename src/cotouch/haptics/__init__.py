@@ -1,4 +1,4 @@
-"""Devices that are held in a hand: what they have in common, and the loop that holds them safely."""
+"""Haptic devices: their common interface, and the servo that runs them safely."""
 
 from cotouch.haptics._conformance import CheckResult, conform
 from cotouch.haptics._core import Order, ServoCore, ServoReport

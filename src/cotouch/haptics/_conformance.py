@@ -34,7 +34,7 @@ _LIGHT = ARM * _GENTLE
 @final
 @dataclass(frozen=True)
 class CheckResult:
-    """What one check found.
+    """The result of one check.
 
     Attributes:
         check: what was looked at.
@@ -86,11 +86,11 @@ def conform(
         _limits(device, note)
         before = _cycles(device, cycles, _ZERO + _GENTLE, clock, sleep)
         _readings(before, note, "before calibration", clock, torque=device.spec.torque > 0.0)
-        note("no force before it is enabled", _off(before), "force 0 or unsaid, and not FORCE_ON")
+        note("no force before it is enabled", _off(before), "force 0 or not reported, and not FORCE_ON")
         device.calibrate(allow_motion=allow_motion)
         after = _cycles(device, cycles, _ZERO + _GENTLE, clock, sleep)
         note("calibrated", all(r.flags & Flag.CALIBRATED for r, _ in after), "CALIBRATED in every cycle")
-        note("no force after calibration alone", _off(after), "force 0 or unsaid, and not FORCE_ON")
+        note("no force after calibration alone", _off(after), "force 0 or not reported, and not FORCE_ON")
         if force and device.spec.actuated:
             _with_force(device, cycles, clock, sleep, note)
         closes = [_silent(device.close) for _ in range(2)]
@@ -143,7 +143,7 @@ def _with_force(
         thread.join()
     note("stop from other threads, repeatedly", not raised, "it must not raise")
     stopped = _cycles(device, cycles, _ZERO + _GENTLE, clock, sleep)
-    note("no force after stop", _off(stopped), "force 0 or unsaid, and not FORCE_ON")
+    note("no force after stop", _off(stopped), "force 0 or not reported, and not FORCE_ON")
     device.enable_force()
     again = _cycles(device, 10, _ZERO, clock, sleep)
     note("force is on after it is enabled again", all(r.flags & Flag.FORCE_ON for r, _ in again), "FORCE_ON")

@@ -23,7 +23,7 @@ _LEVER = 0.1
 
 
 class Order(NamedTuple):
-    """What the peer's process says.
+    """A message from the peer's process.
 
     Attributes:
         time: when, on the clock that both share [s].
@@ -77,7 +77,7 @@ def silent_for(said: float, came: float, now: float) -> float:
 
 
 class ServoReport(NamedTuple):
-    """What the servo says of a cycle.
+    """What the servo reports about a cycle.
 
     Attributes:
         time: of the reading [s].

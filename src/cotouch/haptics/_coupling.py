@@ -41,7 +41,7 @@ _ANY_LAW: Final = ("scale", "tool", "turning_stiffness", "turning_damping")
 @final
 @dataclass(frozen=True, kw_only=True)
 class CouplingChoice:
-    """What somebody said of a coupling; None: nothing.
+    """What somebody chose for a coupling; None: nothing chosen.
 
     Attributes:
         law: see `EndOptions`; "pspm" if nothing is said.
@@ -212,7 +212,7 @@ def _with_toll(options: EndOptions, spec: DeviceSpec, *, lower: bool) -> EndOpti
 
 
 def coupling_of(choice: DeviceChoice) -> tuple[DeviceChoice, CouplingChoice]:
-    """Takes what a choice says of the coupling out of it.
+    """Takes the options of a coupling out of a choice.
 
     Args:
         choice: such as `haply:coupling=virtual,friction=0.8,scale=3`.

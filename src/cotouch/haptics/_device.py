@@ -10,7 +10,7 @@ from cotouch.device import DeviceSpec
 
 @final
 class Flag(IntFlag):
-    """What a device says of itself in a cycle.
+    """What a device reports about itself in a cycle.
 
     Attributes:
         CALIBRATED: positions can be trusted.
@@ -35,7 +35,7 @@ _NONE = Flag(0)
 @final
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class DeviceReading:
-    """What one cycle gave, in our frame: x forward, y left, z up, right-handed.
+    """What one cycle measured, in cotouch's frame: x forward, y left, z up, right-handed.
 
     Attributes:
         time: of the measurement, on a monotonic clock [s].
@@ -59,7 +59,7 @@ class DeviceReading:
 
 
 class Device(Protocol):
-    """A device that is held in a hand.
+    """A device that a person holds.
 
     One thread calls all methods but `stop`, in the order open, calibrate, enable_force, exchange..., close. What goes
     wrong raises `DeviceError` with one sentence; after that only `stop` and `close` are called. A device without motors
@@ -134,7 +134,7 @@ class Device(Protocol):
 
 
 class TorqueDevice(Device, Protocol):
-    """A device that renders torques as well: `spec.torque` is above 0, and every reading has an orientation.
+    """A device that also renders torque: `spec.torque` is above 0, and every reading has an orientation.
 
     Wherever `Device` speaks of force, it is force and torque: both are taken away together.
     """

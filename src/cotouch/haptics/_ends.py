@@ -22,7 +22,7 @@ _LATENCY = 1
 
 @final
 class EndOptions(NamedTuple):
-    """The coupling, the same for both ends.
+    """Options of a coupling, the same for both ends.
 
     Attributes:
         stiffness: k [N/m].
@@ -53,7 +53,7 @@ class EndOptions(NamedTuple):
 
 
 def checked(options: EndOptions, spec: DeviceSpec) -> EndOptions:
-    """Options that fit a device.
+    """Checks that options fit a device, and returns them.
 
     Args:
         options: of the coupling.
@@ -123,7 +123,7 @@ class _End:
 
 @final
 class DeviceEnd:
-    """The end that a servo holds: measured places in, forces out.
+    """The servo's end of a coupling: measured positions in, forces out.
 
     Attributes:
         options: of the coupling.
@@ -260,7 +260,7 @@ class Pull(NamedTuple):
 
 @final
 class ProxyEnd:
-    """The end that a peer's step holds; the step is implicit, as `cotouch.mechanics` takes it.
+    """The peer's end of a coupling, for an implicit step as `cotouch.mechanics` takes it.
 
     Attributes:
         options: of the coupling.

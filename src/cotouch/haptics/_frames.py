@@ -13,7 +13,7 @@ from cotouch.errors import DeviceError
 @final
 @dataclass(frozen=True)
 class DeviceFrame:
-    """How a device's axes lie in our frame.
+    """How a device's axes lie in cotouch's frame.
 
     Attributes:
         rows: our x, y and z in the device's axes, as signed numbers of axes: (2, -1, 3) says that our x is its second

@@ -14,7 +14,7 @@ UNKNOWN_FORCE = 2.0
 @final
 @dataclass(frozen=True, kw_only=True)
 class SafetyLimits:
-    """Thresholds of the safety chain; each can be moved towards the safe side only, see `of`.
+    """Thresholds of the safety chain, each of which can only be moved to the safe side; see `of`.
 
     Attributes:
         force: largest [N]. Half of what the device can do, or 2 N where that is unknown: enough to feel a wall, and a

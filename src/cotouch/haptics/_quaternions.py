@@ -13,7 +13,7 @@ UNTURNED: Quaternion = (0.0, 0.0, 0.0, 1.0)
 
 
 def product(a: Quaternion, b: Quaternion) -> Quaternion:
-    """First turned as b says, then as a says, of length 1 again.
+    """The rotation b followed by the rotation a, normalised.
 
     Args:
         a: what comes second.
@@ -30,13 +30,13 @@ def product(a: Quaternion, b: Quaternion) -> Quaternion:
 
 
 def back(a: Quaternion) -> Quaternion:
-    """What undoes a turn."""
+    """The inverse of a rotation."""
     x, y, z, w = a
     return -x, -y, -z, w
 
 
 def turn_of(vector: Sequence[float]) -> Quaternion:
-    """Of a turn about an axis, as long as the angle [rad]."""
+    """The rotation of a rotation vector, whose length is the angle [rad]."""
     x, y, z = vector
     angle = math.sqrt(x * x + y * y + z * z)
     scale = math.sin(0.5 * angle) / angle if angle > 0.0 else 0.5
@@ -44,7 +44,7 @@ def turn_of(vector: Sequence[float]) -> Quaternion:
 
 
 def vector_of(a: Quaternion) -> list[float]:
-    """The shortest turn: along its axis, as long as the angle [rad]."""
+    """The rotation vector of the shortest rotation; its length is the angle [rad]."""
     x, y, z, w = a
     sine = math.sqrt(x * x + y * y + z * z)
     scale = 2.0 * math.atan2(sine, abs(w)) / sine if sine > 0.0 else 2.0

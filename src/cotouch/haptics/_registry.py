@@ -30,7 +30,7 @@ def _nothing() -> Sequence[str]:
 @final
 @dataclass(frozen=True, kw_only=True)
 class Driver:
-    """How devices of one kind are reached.
+    """How to reach devices of one kind.
 
     Attributes:
         name: as in the registry.
@@ -63,7 +63,7 @@ class Driver:
 @final
 @dataclass(frozen=True)
 class DeviceChoice:
-    """A device as somebody asked for it.
+    """A device as somebody chose it.
 
     Attributes:
         name: of the driver.
@@ -106,12 +106,12 @@ def _value(text: str) -> Option:
 
 
 def device_names() -> list[str]:
-    """Names of all drivers that are installed, sorted."""
+    """Names of all installed drivers, sorted."""
     return installed_names(GROUP)
 
 
 def driver(name: str) -> Driver:
-    """A driver by its name, or by `module/ATTRIBUTE`, such as `my_package.devices/PANTOGRAPH`, while it is written.
+    """A driver by its name or, during development, by `module/ATTRIBUTE`: `my_package.devices/PANTOGRAPH`.
 
     Args:
         name: of an entry point in the group `cotouch.devices`, or a place in a module.
@@ -135,7 +135,7 @@ def driver(name: str) -> Driver:
 
 
 def make_device(name: str, **options: Option) -> Device:
-    """A device that is not open yet.
+    """A device, not yet open.
 
     Args:
         name: of its driver.
@@ -157,7 +157,7 @@ def make_device(name: str, **options: Option) -> Device:
 
 
 def open_device(name: str, **options: Option) -> Device:
-    """A device that is open, with its motors off.
+    """An open device with its motors off.
 
     Args:
         name: of its driver.

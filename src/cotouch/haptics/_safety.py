@@ -22,7 +22,7 @@ STOOD = 0.02
 
 @final
 class Cause(IntFlag):
-    """Why there is less force than was asked for.
+    """Why there is less force than requested.
 
     Attributes:
         SATURATED: it was beyond the largest.
@@ -87,17 +87,17 @@ _SENTENCES = {
 
 
 def spoken(cause: Cause) -> str:
-    """The gravest of several causes, in words; empty without one."""
+    """The most severe of several causes in words; empty if there is none."""
     return next((text for one, text in _SENTENCES.items() if cause & one), "")
 
 
 def reasons(cause: Cause) -> list[str]:
-    """All of several causes, in words, the gravest first."""
+    """All of several causes in words, the most severe first."""
     return [text for one, text in _SENTENCES.items() if cause & one]
 
 
 def norm(vector: Vector) -> float:
-    """Norm."""
+    """Euclidean norm."""
     return sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2])
 
 
@@ -122,7 +122,7 @@ def scaled(fraction: float, vector: Vector) -> Vector:
 
 
 def saturate(length: float, most: float) -> float:
-    """Share of a force of this length that is within a limit [N].
+    """Fraction of a force of this length that is within a limit [N].
 
     Args:
         length: of the force, >= 0 [N].
@@ -132,7 +132,7 @@ def saturate(length: float, most: float) -> float:
 
 
 def silence(age: float, fade_after: float, zero_after: float) -> float:
-    """Share of a force whose reason was heard so long ago: all, fading, none [s].
+    """Fraction of a force that is left at this age of its source: all, fading, none [s].
 
     Args:
         age: of the reason [s].
@@ -145,7 +145,7 @@ def silence(age: float, fade_after: float, zero_after: float) -> float:
 
 
 def slew(force: Vector, before: Vector, most: float) -> float:
-    """Largest share of a force that is at most so far from what the force before lets go to at once.
+    """Largest fraction of a force to which the slew limit lets the last one change at once.
 
     Letting go is never limited, or a force would outlast its energy: what counts is how far the new force is from all
     those that lie between none and the one before.
@@ -174,7 +174,7 @@ def slew(force: Vector, before: Vector, most: float) -> float:
 
 @final
 class Heat:
-    """What heats the motors: the square of the force, forgotten with a time constant; never more than what may stay."""
+    """Heat of the motors: the squared force, forgotten with a time constant; never more than may persist."""
 
     def __init__(self, continuous: float, time: float) -> None:
         """Cold.
@@ -205,7 +205,7 @@ class Heat:
 
 
 class Observation(NamedTuple):
-    """What the chain goes by in a cycle.
+    """What the safety chain uses in a cycle.
 
     Attributes:
         now: [s].
@@ -232,7 +232,7 @@ class Observation(NamedTuple):
 
 @final
 class SafetyChain:
-    """All stages in a row.
+    """All stages in sequence.
 
     Attributes:
         causes: why the last force was less than asked for.

@@ -40,7 +40,7 @@ _MARGIN, _RETURN = 0.01, 1.0
 
 @final
 class Servo:
-    """One device and its loop, in whatever process.
+    """One device and its loop, in any process.
 
     Attributes:
         core: the cycle.

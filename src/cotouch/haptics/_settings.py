@@ -23,7 +23,7 @@ _ALIKE = frozenset({"rise", "ramp", "fade_after", "zero_after", "speed", "heat"}
 @final
 @dataclass(frozen=True, kw_only=True)
 class ServoSettings:
-    """How a device is to be driven.
+    """How to drive a device.
 
     Attributes:
         device: which one.

@@ -98,7 +98,7 @@ def _spec(variant: str) -> DeviceSpec:
 
 @final
 class SimulatedOnClock:
-    """A `SimulatedDevice` that moves as time goes by; a `Device`.
+    """A `SimulatedDevice` that moves in real time; a `Device`.
 
     Force acts from one exchange to the next, as a device holds what it was told last.
 

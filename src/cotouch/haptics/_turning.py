@@ -26,7 +26,7 @@ ARM = 0.05
 
 
 def at_arm(spec: DeviceSpec) -> DeviceSpec:
-    """Limits of a device's turning, as those of a place at the arm's end; none of its workspace.
+    """Limits of a device's turning as those of a position at the arm's end, without a workspace.
 
     Args:
         spec: of a device that renders torques.
@@ -51,7 +51,7 @@ def at_arm(spec: DeviceSpec) -> DeviceSpec:
 
 @final
 class TurningEnd:
-    """The end that a servo holds: orientations in, torques out; arcs and forces at the arm inside.
+    """The servo's end of turning: orientations in, torques out; internally arcs and forces at an arm.
 
     Attributes:
         end: the law's.
@@ -122,7 +122,7 @@ class TurningEnd:
 
 
 class Twist(NamedTuple):
-    """What turns a proxy in a step: `τ = k (turn - θ/2) - b ω + push`, θ by which it turns in the step.
+    """What turns a proxy in a step: `τ = k (turn - θ/2) - b ω + push`, where θ is its rotation in the step.
 
     Attributes:
         stiffness: k [Nm/rad].
@@ -139,7 +139,7 @@ class Twist(NamedTuple):
 
 @final
 class TurningProxyEnd:
-    """The end that a peer's step holds."""
+    """The peer's end of turning."""
 
     def __init__(self, options: EndOptions) -> None:
         """Relaxed.

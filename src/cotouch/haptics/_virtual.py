@@ -27,7 +27,7 @@ _HELD = 3.0
 
 
 def virtual_limit(options: EndOptions, *, period: float, resolution: float) -> float:
-    """The stiffest spring that a device's own friction pays for [N/m]; 0 or negative: none.
+    """The stiffest spring for which a device's own friction pays [N/m]; 0 or negative if there is none.
 
     Args:
         options: of the coupling, whose stiffness does not matter.
@@ -51,7 +51,7 @@ def virtual_limit(options: EndOptions, *, period: float, resolution: float) -> f
 
 
 def checked_virtual(options: EndOptions, spec: DeviceSpec, *, period: float) -> EndOptions:
-    """A virtual coupling that is passive on a device.
+    """Checks that a virtual coupling is passive on a device, and returns it.
 
     Args:
         options: of the coupling.

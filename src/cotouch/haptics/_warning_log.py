@@ -14,7 +14,7 @@ _AGAIN, _SELDOM = 1.0, 30.0
 
 
 def priority_refused(why: str) -> str:
-    """What refused real-time priority means for whoever holds a device."""
+    """What a refusal of real-time priority means for a person who holds a device."""
     return (
         f"real-time priority was refused ({why}): on a busy machine the force will come and go; permit it "
         "with ulimit -r 30 or in /etc/security/limits.d, as docs/safety.md says"

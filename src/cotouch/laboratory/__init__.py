@@ -1,4 +1,4 @@
-"""Questions asked of many runs: what a hand feels, what happens where an option varies, and which law is best."""
+"""Experiments over many runs: what a hand feels, how an option matters, and which law is best."""
 
 from cotouch.laboratory._compare import compare
 from cotouch.laboratory._compare_report import write_report

@@ -28,9 +28,9 @@ if TYPE_CHECKING:
 # A stiffer hand is asked in so many draws; felt impedance at these tones [Hz]; a law's time in so many runs [s].
 _STIFF_DRAWS, _TONES, _REPEATS, _TIMED = 5, (0.3, 0.6, 1.2), 7, 10.0
 FELT = {
-    "drag": ("N s/m", "drag that a hand feels which moves the object freely"),
+    "drag": ("N s/m", "drag felt by a hand that moves the object freely"),
     "mass": ("kg", "mass that it feels"),
-    "stiffness": ("N/m", "stiffness that it feels while the others hold"),
+    "stiffness": ("N/m", "stiffness felt by it while the others hold"),
 }
 _MOST_CELLS = 100_000
 
@@ -327,8 +327,8 @@ def _gathered(
     }
     for name, (unit, meaning) in FELT.items():
         data[f"felt_{name}"] = (axes, felt[name], {"units": unit, "long_name": meaning})
-    data["dangerous"] = ((*axes, "hand"), risky, {"long_name": "1 where a push doesn't die away"})
-    data["loose"] = (axes, untied, {"long_name": "1 where copies that nobody holds drive each other apart"})
+    data["dangerous"] = ((*axes, "hand"), risky, {"long_name": "1 if a push does not die away"})
+    data["loose"] = (axes, untied, {"long_name": "1 if copies that nobody holds drive each other apart"})
     settings = [
         [
             [json.dumps(found[law, n.tuned_on or n.name]["settings"].get(tuning)) for n in study.networks]

@@ -85,7 +85,7 @@ def _line(panel: "Axes", risky: Bool) -> None:
 
 
 def fronts(data: "xr.Dataset", users: int, across: str) -> "Figure":
-    """Error of place over drag or energy made, a panel for each network, with the front that no law is beyond.
+    """Position error over drag or energy made, a panel for each network, with the front that no law is beyond.
 
     Args:
         data: of `compare`.
@@ -128,7 +128,7 @@ def fronts(data: "xr.Dataset", users: int, across: str) -> "Figure":
         panel.set_title(escaped(network))
         panel.margins(x=0.12)
         panel.set_yscale("log")
-        panel.set_ylabel("error of place / mm" if panel in panels[:, 0] else "")
+        panel.set_ylabel("position error / mm" if panel in panels[:, 0] else "")
         panel.yaxis.set_major_formatter(_short)
         panel.yaxis.set_minor_formatter(_nothing)
         if across == "made":

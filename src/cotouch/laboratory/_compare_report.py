@@ -75,20 +75,20 @@ def _lead(data: "xr.Dataset", study: Study) -> str:
     runs = int(np.isfinite(data["cost"].values).sum())
     cards = (
         (escape(own), "law whose losing cases come first"),
-        (f"{won} of {len(places)}", "networks and numbers of users where it costs least of all passive laws"),
+        (f"{won} of {len(places)}", "networks and numbers of users for which it costs least of all passive laws"),
         (f"{runs:,}".replace(",", "&nbsp;"), "runs that count"),
-        (str(len(risky) or "none"), f"laws that are dangerous somewhere{_list(risky)}"),
+        (str(len(risky) or "none"), f"laws that are dangerous in some case{_list(risky)}"),
         (str(len(liars) or "none"), f"laws that promise passivity and made energy{_list(liars)}"),
         (f"{data.sizes['draw']}", "draws of each task and channel; intervals are 95 % over them"),
     )
     boxes = "".join(f"<div><b>{value}</b><span>{text}</span></div>" for value, text in cards)
     return f"""<p class="kicker">Link laws, side by side</p>
 <h1>{escape(study.title)}</h1>
-<p class="lede">Users at different places hold one object; a law on each link keeps their copies together. Here every
+<p class="lede">Users in different places hold one object; a law on each link keeps their copies together. Here every
 law is tuned by the same search, meets the same networks, tasks and hands, and is measured against one copy that all
 hands hold without any delay.</p>
-<p>The cost is <span class="math">J = error of place / 10 mm + error of force / ideal force</span>, the mean over
-{data.sizes["task"]} tasks. Darker cells are worse in what people notice; {_legend()}.</p>
+<p>The cost is <span class="math">J = position error / 10 mm + force error / ideal force</span>, the mean over
+{data.sizes["task"]} tasks. The darker a cell, the more people notice; {_legend()}.</p>
 <div class="cards">{boxes}</div>"""
 
 
@@ -190,8 +190,8 @@ def _costs(data: "xr.Dataset", study: Study) -> list[Section]:
             Section(
                 anchor=f"cost-{users}",
                 title=f"Cost with {users} users",
-                body=f"<p>J with its 95 % interval; below it the larger of the errors of place and force in multiples "
-                f"of what is noticed, and J with hands {study.stiffer:g} times stiffer.</p>"
+                body=f"<p>J with its 95 % interval; below it the larger of the errors of position and force, in "
+                f"multiples of what is noticed, and J with hands {study.stiffer:g} times stiffer.</p>"
                 + table(head, rows, kind="dense"),
             )
         )
@@ -234,15 +234,15 @@ def _details(data: "xr.Dataset", study: Study) -> Section:
         ]
         parts.append(f"<h3>{escape(network)}</h3>{table(head, rows, kind='dense')}")
     felt = (
-        " Drag and mass are of a hand that moves the object freely, stiffness of one that presses while the others "
-        "hold; a dash: copies that nobody holds drive each other apart."
+        " Drag and mass are what a hand feels that moves the object freely, stiffness what one feels that presses "
+        "while the others hold; a dash means that copies that nobody holds drive each other apart."
     )
     intro = (
-        f"<p>For {users} users, the mean over tasks and draws, and beside it the multiple of what is noticed."
-        f"{felt if study.felt else ''} <em>Made</em> is beyond what the law declares, <em>extracted</em> what hands "
-        "got out beyond what there was. PSNR and HPW-PSNR are of hands' forces to the ideal ones, <em>late</em> and "
-        "<em>off</em> the effective time- and value-offset (ETVO) of the object. Packets are samples said in full, to "
-        "one neighbour; bytes are without headers.</p>"
+        f"<p>For {users} users, the mean over tasks and draws, with the multiple of what is noticed."
+        f"{felt if study.felt else ''} <em>Made</em> is energy beyond what the law declares, <em>extracted</em> what "
+        "hands got out beyond what there was. PSNR and HPW-PSNR compare hands' forces with the ideal ones, "
+        "<em>late</em> and <em>off</em> are the effective time- and value-offset (ETVO) of the object. Packets are "
+        "samples sent in full to one neighbour; bytes are without headers.</p>"
     )
     return Section(anchor="noticed", title="What is noticed", body=intro + "".join(parts))
 
@@ -271,11 +271,11 @@ def _maps(data: "xr.Dataset") -> Section:
     head = ["law", *(f"{value:g} N/m" for value in stiffness)]
     caption = (
         "<b>Cost over delay and stiffness of two users' hands.</b> Crossed cells are dangerous: a push grows, or goes "
-        "on for ever. The line is where that begins."
+        "on for ever. The line shows where that begins."
     )
     body = figure(maps(data), "danger", caption, "Maps of cost over delay and stiffness, one for each law.")
-    body += f"<p>The largest delay, one way, up to which none was found dangerous, in ms:</p>{table(head, lines)}"
-    body += "<p>Where both hold still at places of their own, speed of copies in the last fifth of a run, the most at "
+    body += f"<p>The largest one-way delay up to which no case was found dangerous, in ms:</p>{table(head, lines)}"
+    body += "<p>If both hold still, at different places: the speed of copies in the last fifth of a run, the most at "
     body += f"any delay, in mm/s:</p>{table(head, moving)}"
     return Section(anchor="danger-maps", title="Where laws become dangerous", body=body)
 
@@ -286,18 +286,18 @@ def _fronts(data: "xr.Dataset", study: Study) -> list[Section]:
         body += figure(
             fronts(data, users, "drag"),
             "front-drag",
-            f"<b>Error against drag, {users} users.</b> Down and left is better; the broken line joins laws to which "
-            "none is better in both. Hollow marks are dangerous there.",
-            "Error of place over drag, one panel for each network.",
+            f"<b>Error against drag, {users} users.</b> Lower left is better; the broken line joins laws that no other "
+            "law beats in both respects. Hollow marks are dangerous there.",
+            "Position error over drag, one panel for each network.",
         )
     if float(data["made"].sel(users=users, tuning=chosen(data)).max()) > 0.0:
         body += figure(
             fronts(data, users, "made"),
             "front-made",
-            "<b>Error against energy made beyond the initial energy.</b> Passive laws stand at 0.",
-            "Error of place over energy made, one panel for each network.",
+            "<b>Error against energy made beyond the initial energy.</b> Passive laws are at 0.",
+            "Position error over energy made, one panel for each network.",
         )
-    return [Section(anchor="fronts", title="What no law has all of", body=body)] if body else []
+    return [Section(anchor="fronts", title="Trade-offs", body=body)] if body else []
 
 
 def _price(data: "xr.Dataset") -> Section:
@@ -324,7 +324,7 @@ def _price(data: "xr.Dataset") -> Section:
         "source",
     ]
     body = (
-        "<p>Bytes are of fields and numbers as they are, before any codec. Time is what the law adds to a spring at "
+        "<p>Bytes are those of fields and numbers before any codec. Time is what the law takes beyond a spring, at "
         "one end of a link in one step, on the machine that made this page.</p>"
         + table(head, rows, text=(0, 1, 5, 6), kind="dense")
     )
@@ -337,10 +337,10 @@ def _method(data: "xr.Dataset", study: Study) -> Section:
         "No law is tuned; parameters are the published defaults."
         if not study.tunes
         else (
-            f"Every law is tuned alike: the springs and each of its parameters but initial energies, as multiples of "
-            f"its default from 1/{tuning.range:g} to {tuning.range:g}; {tuning.search} settings that fill the space "
-            f"evenly, then {tuning.local} near the best; {tuning.draws} draw{'s' * (tuning.draws > 1)} of each task "
-            f"with {tuning.users} users, other ones than those that count. A setting counts only if pushes die away, "
+            f"Every law is tuned alike: the springs and every parameter except initial energies, as multiples of its "
+            f"default from 1/{tuning.range:g} to {tuning.range:g}; {tuning.search} settings that fill the space "
+            f"evenly, then {tuning.local} near the best; {tuning.draws} draw{'s' * (tuning.draws > 1)} of each task with "
+            f"{tuning.users} users; these draws do not count otherwise. A setting counts only if pushes die away, "
             f"also with hands {study.stiffer:g} times stiffer."
         )
     )
@@ -363,11 +363,11 @@ def _method(data: "xr.Dataset", study: Study) -> Section:
         title="How it was done",
         body=f"<p>{how}</p><p>The body is a {escape(str(study.body.get('kind', 'point')))} of {nodes} "
         f"node{'s' * (nodes > 1)}; {_LINKED[study.graph]}.</p>"
-        f"<p>What people notice, at the lower end of what was found: {seen} [Rank, Shi &amp; Hirche "
-        "2010; Jay, Glencross &amp; Hubbold 2007]; drag as a share of the hand's own damping. A push is dangerous if "
-        "after six seconds it has not lost a tenth of its speed since the second quarter, with all hands holding or "
+        f"<p>What people notice, by the lowest thresholds found: {seen} [Rank, Shi &amp; Hirche "
+        "2010; Jay, Glencross &amp; Hubbold 2007]; drag as a fraction of the hand's own damping. A push is dangerous "
+        "if after six seconds it has not lost a tenth of its speed since the second quarter, with all hands holding or "
         "one.</p>"
-        + (f"<p>What could not be run:</p><ul>{left}</ul>" if left else "")
+        + (f"<p>What could not run:</p><ul>{left}</ul>" if left else "")
         + f"<h3>Settings</h3>{table(['law', 'network', 'multiples of the defaults'], rows, text=(0, 1, 2))}",
     )
 

@@ -22,21 +22,21 @@ _CALMS = 0.9
 
 # Of each run: name, unit, meaning.
 MEASURES = {
-    "cost": ("1", "J: error of place in 10 mm, and error of force as share of the ideal force"),
+    "cost": ("1", "J: position error in units of 10 mm, plus force error as a fraction of the ideal force"),
     "place": ("m", "distance of a copy from the ideal, root mean square"),
-    "force": ("1", "difference of the hands' forces from the ideal ones, as share of those"),
+    "force": ("1", "difference of the hands' forces from the ideal ones, as a fraction of those"),
     "apart": ("m", "distance of a copy from the mean of all, root mean square"),
     "restless": ("m/s", "speed of a copy against the ideal in the last fifth of the run, root mean square"),
-    "rough": ("N", "largest step of a hand's force from one step to the next"),
+    "rough": ("N", "largest jump of a hand's force from one step to the next"),
     "made": ("J", "most energy that the links had made beyond what the law declares"),
-    "extracted": ("J", "most that users got out beyond what there was"),
+    "extracted": ("J", "most energy that users got out beyond what there was"),
     "corrected": ("J", "energy of the states that a replica overwrote"),
-    "psnr": ("dB", "PSNR of the hands' forces to the ideal ones"),
-    "hpw_psnr": ("dB", "HPW-PSNR of them: errors that nobody notices don't count"),
-    "late": ("s", "ETVO: how late the mean of all copies is to the ideal one"),
-    "off": ("m", "ETVO: how far it is off if that is taken out, root mean square"),
-    "packets": ("1/s", "samples that a user says in full to a neighbour"),
-    "bandwidth": ("B/s", "bytes that a user says to a neighbour, without headers"),
+    "psnr": ("dB", "PSNR of the hands' forces against the ideal ones"),
+    "hpw_psnr": ("dB", "HPW-PSNR of them, in which errors that nobody notices do not count"),
+    "late": ("s", "ETVO: how late the mean of all copies is, compared with the ideal one"),
+    "off": ("m", "ETVO: how far off it is apart from that, root mean square"),
+    "packets": ("1/s", "samples that a user sends in full to a neighbour"),
+    "bandwidth": ("B/s", "bytes that a user sends to a neighbour, without headers"),
 }
 # Of a run that left floating point they say nothing; of any other measure that is infinitely bad.
 _UNKNOWN = ("psnr", "hpw_psnr", "late", "off", "packets", "bandwidth")

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 # Of each run: name, unit, meaning.
 SWEPT = {
     "made": ("J", "most energy that the links had made"),
-    "law_initial_energy": ("J", "what the law says that they may make"),
-    "extracted": ("J", "most that users got out beyond what there was"),
+    "law_initial_energy": ("J", "most energy that the law says they may make"),
+    "extracted": ("J", "most energy that users got out beyond what there was"),
     "rms": ("m", "distance of a user's copy from the mean of all, root mean square"),
     "largest": ("m", "likewise, at most"),
     "force": ("N", "root mean square of the users' forces"),

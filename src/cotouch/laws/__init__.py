@@ -1,4 +1,4 @@
-"""Link laws: what one end of a link does in a step. One file for each; a new one needs a file and `register`."""
+"""Link laws: what one end of a link does in a step. Each is one file; a new one needs a file and `register`."""
 
 # Without it, the first call of a `CompiledHalf` in a process fails.
 import numba.experimental.function_type  # noqa: F401  # pyright: ignore[reportUnusedImport, reportMissingTypeStubs]

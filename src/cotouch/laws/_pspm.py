@@ -56,9 +56,11 @@ PSPM = register(
         after=_after,
         source="Lee & Huang 2010, passive set-position modulation",
         parameters=(
-            Parameter(name="initial_energy", meaning="what the tank begins with, and keeps at most [J]", default=0.05),
+            Parameter(
+                name="initial_energy", meaning="energy that the tank starts with, and keeps at most [J]", default=0.05
+            ),
             Parameter(name="damping", meaning="damper that fills the tank [Ns/m]", default=_damping),
-            Parameter(name=FORCE, meaning="most that a neighbour may pull with [N]", default=inf),
+            Parameter(name=FORCE, meaning="largest force with which a neighbour may pull [N]", default=inf),
         ),
         sends_scalars=("given",),
         keeps=("set",),

@@ -53,12 +53,15 @@ TANK = register(
         source="Franken et al. 2011",
         parameters=(
             Parameter(
-                name="initial_energy", meaning="what the tank begins with, and its level [J]", default=0.05, least=1e-9
+                name="initial_energy",
+                meaning="energy that the tank starts with, and its level [J]",
+                default=0.05,
+                least=1e-9,
             ),
-            Parameter(name="damping", meaning="D of the wished force [Ns/m]", default=_damping),
+            Parameter(name="damping", meaning="D of the desired force [Ns/m]", default=_damping),
             Parameter(name="recharge", meaning="damper that fills an empty tank [Ns/m]", default=10.0),
             Parameter(name="most", meaning="greatest damper [Ns/m]", default=100.0),
-            Parameter(name=FORCE, meaning="most that a neighbour may push with [N]", default=inf),
+            Parameter(name=FORCE, meaning="largest force with which a neighbour may push [N]", default=inf),
         ),
         sends=("v",),
         sends_scalars=("given",),

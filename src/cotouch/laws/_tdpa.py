@@ -67,11 +67,13 @@ TDPA = register(
         source="Hannaford & Ryu 2002; Ryu, Artigas & Preusche 2010",
         parameters=(
             Parameter(
-                name="initial_energy", meaning="energy that an end may give before it has got any [J]", default=0.05
+                name="initial_energy",
+                meaning="energy that an end may give before it has received any [J]",
+                default=0.05,
             ),
-            Parameter(name="damping", meaning="β₀, always at the end that gets the force [Ns/m]", default=1.0),
+            Parameter(name="damping", meaning="β₀, always on at the end that receives the force [Ns/m]", default=1.0),
             Parameter(name="most", meaning="greatest damper there [Ns/m]", default=100.0),
-            Parameter(name=FORCE, meaning="most that a neighbour may push or pull with [N]", default=inf),
+            Parameter(name=FORCE, meaning="largest force with which a neighbour may push or pull [N]", default=inf),
         ),
         sends=("F",),
         sends_scalars=("E_in",),

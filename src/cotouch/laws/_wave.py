@@ -72,12 +72,12 @@ WAVE = register(
         parameters=(
             Parameter(
                 name="impedance",
-                meaning="b; b over delay and filter is the line's stiffness [Ns/m]",
+                meaning="b; divided by delay and filter, it is the line's stiffness [Ns/m]",
                 default=_impedance,
             ),
             Parameter(name="filter", meaning="time constant of the filter of arriving waves [s]", default=_filter),
-            Parameter(name="initial_energy", meaning="energy that an end's line begins with [J]", default=0.0),
-            Parameter(name=FORCE, meaning="most that a neighbour may push with [N]", default=inf),
+            Parameter(name="initial_energy", meaning="energy that an end's line starts with [J]", default=0.0),
+            Parameter(name=FORCE, meaning="largest force with which a neighbour may push [N]", default=inf),
         ),
         sends=("U_out",),
         sends_scalars=("E_out",),

@@ -1,4 +1,4 @@
-"""How a body moves, passively: the compiled step and what it needs."""
+"""How a body moves, passively: the compiled step and everything it needs."""
 
 from cotouch.mechanics import _matrix3 as matrix3
 from cotouch.mechanics._apart import are_apart, move_apart

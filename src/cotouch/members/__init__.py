@@ -1,4 +1,4 @@
-"""Who takes part in a session, who decides, and each one's copy of the object. Nothing here knows a clock."""
+"""Who takes part in a session, who decides, and each member's copy of the object. Nothing here reads a clock."""
 
 from cotouch.members._admission import Admission, addresses_of
 from cotouch.members._coordinator import ABSENT_AFTER, Coordinator, Planner

@@ -18,7 +18,7 @@ _UNKNOWN = "an unknown address"
 
 
 def addresses_of(addresses: Addresses, own: Container[str]) -> Callable[[bytes, Join], str | None]:
-    """Where whoever requests to take part is, by what it shows; "" for this machine itself, which is not counted.
+    """Where a requester is, by its proofs; "" for this machine itself, which does not count.
 
     Args:
         addresses: knows what it told.

@@ -52,7 +52,7 @@ class Outgoing(NamedTuple):
 
 @final
 class Coordinator:
-    """Keeps the roster while this member is the one who decides.
+    """Keeps the roster while this member is the one that decides.
 
     Attributes:
         roster: the newest.

@@ -74,7 +74,7 @@ class DeviceTable(Table):
 
 
 def device_tools(scenario: Scenario, slot: int) -> list[ToolTable | RigidToolTable]:
-    """The tools that devices of a user may move, in the order of the file: beside rigid tools no blades.
+    """The tools that a user's devices may move, in the order of the file; beside rigid tools, no blades.
 
     Args:
         scenario: of the session.
@@ -87,7 +87,7 @@ def device_tools(scenario: Scenario, slot: int) -> list[ToolTable | RigidToolTab
 
 
 def coupling_of_slot(scenario: Scenario, devices: Sequence[DeviceTable], slot: int, tool: int) -> CouplingChoice:
-    """What the file says of the device that moves a tool.
+    """The file's options for the device that moves a tool.
 
     Tables that name the tool go before those that name the user, and these before those for everybody; at last what
     `[tools.device]` says of the coupling of the device that is simulated there.

@@ -8,7 +8,7 @@ from cotouch.scenario import Scenario
 
 
 def path_laws(scenario: Scenario, slot: int) -> dict[int, PathLaw]:
-    """The law of the direction from one slot to each other: delay of `[network]`, the rest of `[channel]`.
+    """The law of the direction from one slot to each other: delay from `[network]`, the rest from `[channel]`.
 
     Args:
         scenario: of the session.

@@ -25,7 +25,7 @@ _LEAST = 10.0 * 0.005**2
 @final
 @dataclass(frozen=True, kw_only=True)
 class LawFelt:
-    """What is felt of a law.
+    """What is felt of a link law.
 
     Attributes:
         law: its name.
@@ -43,7 +43,7 @@ class LawFelt:
 
 
 def law_felt(known: Sequence[Status]) -> LawFelt | None:
-    """What members say together of their law; None before one of them moves.
+    """What members together report of their law; None before any of them moves.
 
     Args:
         known: their last words.
@@ -73,7 +73,7 @@ def law_felt(known: Sequence[Status]) -> LawFelt | None:
 
 
 def margin_of(known: Sequence[Status]) -> float:
-    """What hands could still take out of a session: what they put in, and what else was there to be had [J].
+    """What hands could still take out of a session: what they put in, and what else there was [J].
 
     Below 0 they got out what nobody had put in. A body that fell below where it began has given its weight's work.
 

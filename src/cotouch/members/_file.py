@@ -124,7 +124,7 @@ class _Whole(Table):
 @final
 @dataclass(frozen=True, eq=False)
 class SessionFile:
-    """A session as it was asked for, and as it travels.
+    """A session as it was requested, and as it travels.
 
     Attributes:
         scenario: body, network, steps, synchronisation, hands, tools, solver.

@@ -114,7 +114,7 @@ class AttachedHand(Protocol):
 
 
 def no_ports(model: Model, row: Sequence[int] = ()) -> Ports:
-    """Ports at rows of the model, which hold nothing yet.
+    """Ports at rows of the model that hold nothing yet.
 
     Args:
         model: in the kernels' form.
@@ -125,7 +125,7 @@ def no_ports(model: Model, row: Sequence[int] = ()) -> Ports:
 
 
 def grips_of(body: Body, slot: int) -> list[int]:
-    """Numbers of what holds the tools of a user, behind what hands can hold of the body; see `Hand.nodes`.
+    """Numbers of the points that hold a user's tools, after those where hands can hold the body; see `Hand.nodes`.
 
     Args:
         body: with tools.
@@ -136,7 +136,7 @@ def grips_of(body: Body, slot: int) -> list[int]:
 
 
 def handles_of(body: Body, slot: int) -> list[list[int]]:
-    """Numbers, as those of `grips_of`, of each tool's handle and the ways from there; of tools that can be held.
+    """Numbers, as in `grips_of`, of the handle of each tool that can be held, and of the vectors from there.
 
     Args:
         body: with tools.
@@ -183,7 +183,7 @@ class NoHand:
 
 @final
 class ScriptedHand:
-    """The hands and tools of one slot, as the session's file says."""
+    """The hands and tools of one slot, as the session's file defines them."""
 
     def __init__(self, at: Slot) -> None:
         """Takes hold.

@@ -9,7 +9,7 @@ from cotouch.network import Network, Pair
 
 
 def present_links(network: Network, members: Iterable[int]) -> list[Pair]:
-    """The given links among those who are there; where these leave them in pieces, the stiffest springs join them.
+    """The given links among those present; if these fall into parts, the stiffest springs join them.
 
     Args:
         network: of the session.
@@ -35,7 +35,7 @@ def present_links(network: Network, members: Iterable[int]) -> list[Pair]:
 
 
 def delays_of(network: Network, sums: dict[Pair, float]) -> Float:
-    """Delays for the planner, from what was measured: half of the way there and back in each direction.
+    """Delays for the planner from measured round trips, half for each direction.
 
     Only the sum is known without common clocks, and only the sum decides the damping. Pairs that nobody measured keep
     the delays of the session's file.

@@ -20,7 +20,7 @@ PATIENCE = 2.0
 @final
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LiveLaw:
-    """Makes the ends of links that a law holds.
+    """Makes the ends of links with a law.
 
     Attributes:
         law: of all links.

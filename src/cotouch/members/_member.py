@@ -48,7 +48,7 @@ _HEAVY = {"roster": 6, _keys.TOPIC: 6, CUTS: 4, "status": 4}
 
 @final
 class Member:
-    """Takes part: asks for a slot, follows the roster, moves its copy, decides when it is its turn to.
+    """Takes part in a session: asks for a slot, follows the roster, moves its copy, and decides when it is its turn.
 
     Call `service` some fifty times a second, or after the next step while `pending`, and `step` at every step.
 

@@ -35,7 +35,7 @@ T = TypeVar("T", bound=Table)
 
 @final
 class AddressProof(Table):
-    """Where a member is, as the host told it; see `cotouch.traversal.Place`."""
+    """A proof of where a member is, given out by the host; see `cotouch.traversal.Place`."""
 
     nonce: Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{32}$")]
     host: Annotated[str, StringConstraints(max_length=45)]
@@ -44,7 +44,7 @@ class AddressProof(Table):
 
 @final
 class Join(Table):
-    """A request to take part; said again until a roster or a refusal answers it.
+    """A request to take part, repeated until a roster or a refusal answers it.
 
     Attributes:
         name: that others see.
@@ -78,7 +78,7 @@ class Refused(Table):
 
 @final
 class Entry(Table):
-    """One who takes part.
+    """One member of a roster.
 
     Attributes:
         slot: index of the user.
@@ -99,7 +99,7 @@ class Entry(Table):
 
 
 class Former(Table):
-    """A key that has no name any more: the host sent away whose it is, or let the name go.
+    """A key that has lost its name: the host expelled its owner or released the name.
 
     Attributes:
         key: public key.
@@ -112,7 +112,7 @@ class Former(Table):
 
 @final
 class NameOwner(Former):
-    """A name, and whose it is for the whole session.
+    """A name, and the key to which it belongs for the whole session.
 
     Attributes:
         name: that others see.
@@ -123,7 +123,7 @@ class NameOwner(Former):
 
 @final
 class Roster(Table):
-    """Who takes part, and who is linked to whom.
+    """The members, their slots and their links.
 
     No slot, key or name is there twice, no name has two keys and no key two names, links are of those who are there.
 
@@ -200,7 +200,7 @@ class Roster(Table):
 
 @final
 class Decision(Table):
-    """A roster, and who decided it.
+    """A roster and who decided it.
 
     Attributes:
         roster: that was decided.
@@ -215,7 +215,7 @@ class Decision(Table):
 
 @final
 class Decided(Table):
-    """The newest roster, and by what right it was decided.
+    """The newest roster, and the right by which it was decided.
 
     Attributes:
         chain: first a roster of the host; then, if it is gone, the newest of whoever decides, a member of the one
@@ -227,7 +227,7 @@ class Decided(Table):
 
 @final
 class LinkStatus(Table):
-    """What one end knows of a link.
+    """What one end knows about a link.
 
     Attributes:
         slot: of the neighbour.
@@ -378,7 +378,7 @@ class Status(Table):
 
 
 def read_message(kind: type[T], body: bytes) -> T | None:
-    """A message, or None if it is none of this kind.
+    """A message, or None if it is not of this kind.
 
     Args:
         kind: of message.

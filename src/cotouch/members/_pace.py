@@ -8,7 +8,7 @@ from cotouch.pacing import PaceStatistics
 
 @final
 class Pace:
-    """Counts between two statuses; `PaceStatistics` sorts what it kept, which takes longer than a step may.
+    """Counts the pace between two statuses; `PaceStatistics` sorts the counts, which takes longer than a step may.
 
     Attributes:
         period: wanted length of a step [s].
@@ -67,5 +67,5 @@ class Pace:
 
 
 def pace_numbers(statistics: PaceStatistics) -> dict[str, float]:
-    """The statistics of a whole run, without what is not known [s]."""
+    """The statistics of a whole run, without unknown ones [s]."""
     return {name: value for name, value in vars(statistics).items() if not math.isnan(value)}

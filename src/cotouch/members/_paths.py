@@ -10,7 +10,7 @@ from cotouch.traversal import RoutedTransport
 
 
 class Paths(Protocol):
-    """A transport, and whoever finds out where its neighbours are."""
+    """A transport, and whatever finds out where its neighbours are."""
 
     @property
     def transport(self) -> Transport:
@@ -73,7 +73,7 @@ class MetPaths:
 
 @final
 class RoutedPaths:
-    """Straight where possible, else by the control plane's relay."""
+    """Direct paths where possible, otherwise the control plane's relay."""
 
     def __init__(self, routed: RoutedTransport, transport: Transport | None = None) -> None:
         """Joins a transport with what may be on top of it.

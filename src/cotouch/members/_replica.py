@@ -31,7 +31,7 @@ _TELL_AGAIN = 0.1
 
 @final
 class Replica:
-    """Follows the roster with its links, and moves.
+    """One member's copy: follows the roster with its links, and moves.
 
     Attributes:
         slot: index of this user.

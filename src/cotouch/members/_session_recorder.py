@@ -35,7 +35,7 @@ _LEDGER = [(name, "lost" if name == "discarded" else name) for name in (*GUARDS,
 
 @final
 class SessionRecorder:
-    """Begins when the copy begins to move, and is told of everything from then on; a `copy.Recorder`.
+    """Records a member from its copy's first motion on; a `copy.Recorder`.
 
     Attributes:
         steps: that it was told of.

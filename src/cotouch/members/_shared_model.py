@@ -29,7 +29,7 @@ _SAME = 1e-6
 @final
 @dataclass(frozen=True, eq=False)
 class SharedModel:
-    """What every member builds of a session before it takes part.
+    """What every member builds for a session before it takes part.
 
     Attributes:
         scenario: with its hands at nodes.

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 class StepRecorder(Protocol):
-    """Whatever keeps what a copy does."""
+    """Records what a copy does."""
 
     @property
     def begun(self) -> bool:

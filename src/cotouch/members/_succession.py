@@ -45,7 +45,7 @@ def signed(identity: Identity, host: bytes, roster: Roster) -> Decision:
 
 
 def genuine(decision: Decision, host: bytes) -> bool:
-    """Whether a roster was signed by who is said to have.
+    """Whether a roster was signed by its claimed author.
 
     Args:
         decision: a signed roster.

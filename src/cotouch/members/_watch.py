@@ -19,7 +19,7 @@ STALE = 2.0
 
 
 class SessionEvent(NamedTuple):
-    """Something worth a line.
+    """An event worth a line.
 
     Attributes:
         time: [s].
@@ -33,7 +33,7 @@ class SessionEvent(NamedTuple):
 @final
 @dataclass
 class MemberState:
-    """One member.
+    """What is known about one member.
 
     Attributes:
         entry: of the roster.

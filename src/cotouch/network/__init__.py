@@ -1,4 +1,4 @@
-"""Who is joined to whom, how fast that brings them together, and what damping it takes to stay passive."""
+"""Who is linked to whom, how fast that brings their copies together, and what damping keeps it passive."""
 
 from cotouch.network._certificate import Certificate, certify
 from cotouch.network._checks import one_user

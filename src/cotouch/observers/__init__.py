@@ -1,4 +1,4 @@
-"""What who watches a session sees of it, and may ask for: the page's side, through latest-value channels."""
+"""What observers of a session, such as the page, can see of it and request, through latest-value channels."""
 
 from cotouch.observers._child import ChildCall
 from cotouch.observers._command_client import CommandClient, RecordingOutcome

@@ -25,7 +25,7 @@ _LOOK = 1.0
 
 @final
 class ChildCall(Generic[R]):
-    """One call. What it is given and what it returns must be picklable; nothing is said of its progress."""
+    """One call in a child process; arguments and result must be picklable, and progress is not reported."""
 
     def __init__(self, function: Callable[P, R], /, *args: P.args, **options: P.kwargs) -> None:
         """Starts it.

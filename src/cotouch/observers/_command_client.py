@@ -25,7 +25,7 @@ _ZERO: Triple = (0.0, 0.0, 0.0)
 
 
 class RecordingOutcome(NamedTuple):
-    """How a member's recording came out.
+    """The outcome of a member's recording.
 
     Attributes:
         number: of the recording.

@@ -14,7 +14,7 @@ _PATIENCE = 15.0
 
 @final
 class Jobs:
-    """What is asked for by any thread is done by the one that calls `turn`."""
+    """Requests from any thread, executed by the one that calls `turn`."""
 
     def __init__(self) -> None:
         self._queue: SimpleQueue[tuple[Callable[[], str], Future[str]]] = SimpleQueue()

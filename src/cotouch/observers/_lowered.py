@@ -12,7 +12,7 @@ LEASE = 2.0
 
 @final
 class LoweredDamping:
-    """Of all members of one session.
+    """The lowered damping of all members of one session.
 
     Attributes:
         fraction: of what passivity needs; 1: nothing is lowered.

@@ -42,7 +42,7 @@ _POINT = 0.1
 
 
 def size_of(body: Body) -> float:
-    """Radius of the body at rest about its middle; of a point 0.1 m [m]."""
+    """Radius of the body at rest about its centre, 0.1 m for a point [m]."""
     rest = np.asarray(body.rest if body.skin is None else body.skin.vertices)
     middle = 0.5 * (rest.min(axis=0) + rest.max(axis=0))
     radius = float(np.linalg.norm(rest - middle, axis=1).max(initial=0.0))
@@ -59,7 +59,7 @@ def hands_of(scenario: Scenario) -> int:
 
 
 def view_fields(body: Body, *, users: int, hands: int) -> Fields:
-    """What a member shows.
+    """The fields that a member shows.
 
     Args:
         body: the shared object.
@@ -125,7 +125,7 @@ def order_fields(users: int) -> Fields:
 
 
 class HandCommand(NamedTuple):
-    """What a hand is to do.
+    """What a hand is told to do.
 
     Attributes:
         number: of the order.
@@ -201,7 +201,7 @@ def emulated(law: Float) -> Emulated:
 @final
 @dataclass(frozen=True)
 class MailboxFolder:
-    """Where the mailboxes of some members are.
+    """Where some members' mailboxes are.
 
     Attributes:
         path: an existing, private folder.
@@ -238,7 +238,7 @@ class MailboxFolder:
 
 @contextmanager
 def mailbox_folder() -> Generator[MailboxFolder]:
-    """A private folder for mailboxes, in memory where there is such a place, and one for recordings, on a disk."""
+    """A private folder for mailboxes, in memory if possible, and one for recordings, on disk."""
     with MemoryFolder() as folder, TemporaryDirectory(prefix="cotouch-") as disk:
         mailboxes = MailboxFolder(folder.path)
         (mailboxes.path / "recordings").symlink_to(disk, target_is_directory=True)

@@ -11,7 +11,7 @@ _LAST = 3.0
 
 @final
 class LastMoment:
-    """Remembers how a session was before members began to leave because it ends."""
+    """Remembers the state of a session before members began to leave because it ended."""
 
     def __init__(self) -> None:
         """Nothing was seen yet."""

@@ -18,7 +18,7 @@ _PATIENCE = 10.0
 
 @final
 class RecordingClient:
-    """Orders recordings, and says what came of each; all but `hand_out` belong to one thread.
+    """Orders recordings and reports their outcomes; all but `hand_out` belong to one thread.
 
     Attributes:
         troubles: what went wrong with any of them, in sentences.

@@ -54,7 +54,7 @@ class Scene:
 @final
 @dataclass(frozen=True, kw_only=True, eq=False)
 class HandView:
-    """What a hand does.
+    """What a hand is doing.
 
     Attributes:
         mode: see `HandMode`.
@@ -139,7 +139,7 @@ class Pointer:
 @final
 @dataclass(frozen=True, kw_only=True)
 class Emulated:
-    """What is done to samples from one user to another, on top of the real network.
+    """The impairment of samples from one user to another, on top of the real network.
 
     Attributes:
         delay: [s].
@@ -155,7 +155,7 @@ class Emulated:
 
 
 class RecordingState(NamedTuple):
-    """A recording that was ordered here.
+    """A recording that was requested here.
 
     Attributes:
         state: off: none was yet. on. ending: files are being finished. done: they can be had. failed: there are none.
@@ -209,7 +209,7 @@ class Overview:
 
 
 class SessionApi(Protocol):
-    """See the module."""
+    """All that a page may see of a session and request of it; see the module."""
 
     @property
     def scene(self) -> Scene:

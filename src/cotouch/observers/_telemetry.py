@@ -54,7 +54,7 @@ class VisibleHand(Protocol):
 
 @final
 class TelemetryPublisher:
-    """The mailboxes of one member; a `copy.Recorder`, and the one that another may stand behind.
+    """The mailboxes of one member; a `copy.Recorder`, behind which another may stand.
 
     Attributes:
         damping: share of the damping that is ordered; 1 if it may not be lowered here.

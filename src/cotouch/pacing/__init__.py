@@ -1,4 +1,4 @@
-"""Loops at a fixed rate: when their steps are, and what a process needs for them."""
+"""Loops at a fixed rate: when they take their steps, and what a process needs for that."""
 
 from cotouch.pacing._pacer import Pacer, PaceStatistics
 from cotouch.pacing._process import ProcessState, few_arenas, give_back_memory, prepare_process, real_time_refused

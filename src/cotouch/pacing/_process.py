@@ -25,7 +25,7 @@ _BLAS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 @final
 @dataclass(frozen=True, kw_only=True)
 class ProcessState:
-    """What was obtained.
+    """What the process obtained.
 
     Attributes:
         timer_slack: how much later the kernel may end a sleep; None where it cannot be said [ns].
@@ -45,7 +45,7 @@ class ProcessState:
 
 
 def few_arenas() -> bool:
-    """Lets all threads share two arenas of glibc's allocator, so that memory stays flat however often threads change.
+    """Lets all threads share two of glibc's memory arenas, so that memory stays flat as threads come and go.
 
     To be called before threads are started; whoever set `MALLOC_ARENA_MAX` keeps it. Cannot be undone.
 
@@ -59,7 +59,7 @@ def few_arenas() -> bool:
 
 
 def give_back_memory() -> bool:
-    """Gives back to the system what glibc's allocator holds and nobody uses, wherever in its arenas that is.
+    """Returns memory to the system that glibc's allocator holds unused, wherever in its arenas it is.
 
     Takes about a millisecond, in which other threads may wait for memory: for calm times.
 
@@ -83,7 +83,7 @@ def _of_libc(name: str) -> Callable[..., int] | None:
 
 @contextmanager
 def prepare_process(*, real_time: int | None = 10, collector: bool = False) -> Generator[ProcessState]:
-    """Prepares this process and the thread that enters, for as long as the context lasts.
+    """Prepares this process and the entering thread, for as long as the context lasts.
 
     Collects garbage, then keeps the collector from looking at what is there and from running; one BLAS thread; sleeps
     that end when they should; real-time priority where it is permitted. What is refused is left out and said.

@@ -1,4 +1,4 @@
-"""HTML reports in one file, nothing loaded from elsewhere."""
+"""HTML reports in one file that loads nothing from elsewhere."""
 
 from cotouch.pages._page import Section, figure, formula, num, page, quantity, svg, table, verdict
 

@@ -1,4 +1,4 @@
-"""One user's replica, sans-IO."""
+"""One user's replica, without sockets or clocks."""
 
 from cotouch.peer._codec import Decoder, Encoder
 from cotouch.peer._content import FULL, MOST_HOLD, ROUNDED, Codec, Content, ContentForm

@@ -93,7 +93,7 @@ class Account:
 
 @final
 class Encoder:
-    """What one end of a link says to its neighbour.
+    """Decides how one end of a link sends each sample.
 
     Attributes:
         account: what its damping has paid for; None for a law that is passive whatever it is told.
@@ -240,7 +240,7 @@ class Encoder:
 
 @final
 class Decoder:
-    """What one end of a link makes of what its neighbour says.
+    """Turns the codec messages of one neighbour into samples.
 
     Of what is not whole it makes nothing, and of what goes on from a content that is lost neither; then the sample
     before it stays, and its age grows.

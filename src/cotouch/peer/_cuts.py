@@ -24,7 +24,7 @@ from cotouch.mechanics import (
 
 @final
 class CutSet:
-    """The elements that a copy has lost, and who decided it.
+    """The elements that a copy has lost, and who decided to cut each.
 
     Attributes:
         by: the user who decided to cut each element, from 1; 0 of those that are whole, (elements,).
@@ -110,7 +110,7 @@ class CutSet:
 
 
 def without_debris(cuts: CutSet | None, position: Float) -> Float:
-    """Where a copy is, but for what is no longer part of the object: nodes that have lost their last element.
+    """A copy's positions without those of nodes that have lost their last element and left the object.
 
     Args:
         cuts: what the copy has lost; None: it cannot be cut.

@@ -68,7 +68,7 @@ _LAST_EPOCH = 255
 
 @final
 class LinkGuard(SourcedLink):
-    """A link's source of samples with what keeps this end passive; a `Link` of the peer.
+    """A link with a guard that keeps this end passive, as a source of samples; a `Link` of the peer.
 
     The peer asks `choose` for the sample, `decide` how far the spring may follow it, and tells `settle` what the step
     did. Between steps its owner may change `budget` and `total`, as the two ends agreed.

@@ -18,7 +18,7 @@ class GuardEvent(NamedTuple):
 
 
 class GuardLedger(NamedTuple):
-    """Where the energy of one end is and went, all since the beginning [J].
+    """The energy of one guarded end: what it has, and where it went since the beginning [J].
 
     `tank = initial_energy + credited + taken - given - paid - lost`, and the work that the link did on the copy is
     `injected` less what the spring holds after the step.

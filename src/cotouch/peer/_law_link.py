@@ -26,7 +26,7 @@ _STRONGEST = 1e6
 @final
 @dataclass(eq=False)
 class CopyMemory:
-    """What the ends of one copy share: memory of the law, and the force of hands and tools in the step before."""
+    """What the ends of one copy share: the law's memory, and the last step's force of hands and tools."""
 
     law: Law
     size: int
@@ -88,7 +88,7 @@ class CopyMemory:
 
 @final
 class LawLink(SourcedLink):
-    """A link's source of samples with its law; a `Link` of the peer, which needs no guard.
+    """A link with a law, as a source of samples; a `Link` of the peer that needs no guard.
 
     Attributes:
         source: of the samples.

@@ -16,7 +16,7 @@ MOST_AHEAD = 1e-3
 
 @final
 class LinkState(IntEnum):
-    """What one end of a link does, in the order of trust; see `cotouch.peer.LinkGuard`."""
+    """States of a link's end, in order of increasing trust; see `cotouch.peer.LinkGuard`."""
 
     GUARDED = 0
     READY = 1
@@ -24,7 +24,7 @@ class LinkState(IntEnum):
 
 
 class LinkHeader(NamedTuple):
-    """What one end of a link tells the other besides its position.
+    """What one end of a link reports to the other besides its position.
 
     Attributes:
         state: in which the step was taken: a `LinkState`.
@@ -48,7 +48,7 @@ PLAIN, NO_HEADER = LinkHeader(), LinkHeader(LinkState.GUARDED)
 @final
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Sample:
-    """What a peer tells its neighbours after every step.
+    """What a peer sends its neighbours after every step.
 
     Attributes:
         sender: index of the user.
@@ -73,7 +73,7 @@ class Sample:
 
 
 class Link(Protocol):
-    """What a peer holds of one neighbour."""
+    """What a peer keeps about one neighbour."""
 
     def offer(self, sample: Sample) -> bool:
         """Takes a sample that arrived; False if it is of no use (late, or a duplicate)."""
@@ -113,7 +113,7 @@ class SourcedLink:
 @final
 @dataclass(eq=False)
 class FreshestLink:
-    """Newest wins: whatever was lost, late, duplicated or out of order.
+    """The newest sample wins, whatever was lost, late, duplicated or reordered.
 
     Attributes:
         current: the newest sample so far.

@@ -1,4 +1,4 @@
-"""Which links to use, and how stiff to make them: every choice, a proof by bounds, or the best found in time."""
+"""Which links to use, and how stiff to make them: by examining every choice, by bounds, or by a search."""
 
 from cotouch.planning._body import modes_of
 from cotouch.planning._counts import CountsInterrupted, LinkCounts, plan_counts

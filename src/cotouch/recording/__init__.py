@@ -1,4 +1,4 @@
-"""What live peers did, on disk: recorded off the loop, read back, played, exported, audited."""
+"""Recordings of live peers: written off the loop, read back, played, exported and audited."""
 
 from cotouch.recording._audit import audit
 from cotouch.recording._audited import Audit, UserLedger

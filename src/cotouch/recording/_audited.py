@@ -13,7 +13,7 @@ from cotouch.units import user_number
 @final
 @dataclass(frozen=True, kw_only=True)
 class UserLedger:
-    """One user's energy over the whole recording, worked out anew [J].
+    """One user's energy over the whole recording, recomputed [J].
 
     Attributes:
         user: index.
@@ -59,7 +59,7 @@ class UserLedger:
 @final
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Audit:
-    """What came out.
+    """The result of an audit.
 
     Attributes:
         users: their ledger.

@@ -177,7 +177,7 @@ class RecordedBody:
         if result.modes is not None and (result.modes.ndim != 2 or result.modes.shape[0] != size):
             raise RecordingError(f"the recording's shapes are {result.modes.shape}; its body has {size} rows")
         if result.order is not None and not np.array_equal(np.sort(result.order), np.arange(size)):
-            raise RecordingError(f"the recording's order of rows is none of its body's {size} rows")
+            raise RecordingError(f"the recording's order of rows does not fit its body {size} rows")
         if result.material is not None and (result.modes is not None or size != result.rest.shape[0]):
             raise RecordingError(f"the recording's body has a material, but {size} rows, or modes")
         return result

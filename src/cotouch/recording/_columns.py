@@ -32,13 +32,16 @@ SCALARS: dict[str, tuple[str, str]] = {
     "touch_loss": ("J", "dissipated in contacts and grasps"),
     "proxy": ("J", "kinetic energy of the proxies after the step"),
     "touch_stored": ("J", "energy in contacts and grasps after the step"),
-    "residual": ("J", "what the ledger of the step does not explain"),
+    "residual": ("J", "energy that the step's ledger does not explain"),
     "iterations": ("1", "of the solver"),
-    "closure": ("J", "work on the velocity that closed the step of a body with a material; in no other column"),
-    "closure_factor": ("1", "by how much that changed the velocity, |beta - 1|"),
-    "shortened": ("1", "share of the step that was given up to close it"),
-    "world_loss": ("J", "of body_loss: dissipated in friction and damping at planes and boxes"),
-    "world_stored": ("J", "of elastic: held by planes and boxes after the step"),
+    "closure": (
+        "J",
+        "work of the velocity correction that closed the step of a body with a material; in no other column",
+    ),
+    "closure_factor": ("1", "relative change of the velocity by it, |beta - 1|"),
+    "shortened": ("1", "fraction of the step that was given up to close it"),
+    "world_loss": ("J", "of body_loss: dissipated in friction and damping at obstacles and between bodies"),
+    "world_stored": ("J", "of elastic: held by obstacles and between bodies after the step"),
     "cut": ("J", "lost after the step with the elements that were cut then"),
 }
 CLOSING = "closing"
@@ -46,21 +49,25 @@ JAMMED = "jammed"
 # More than one number for each step: unit, meaning, extents after the first.
 VECTORS: dict[str, tuple[str, str, str]] = {
     "force": ("N", "mean force of the step at every port", "ports, axes"),
-    CLOSING: ("1, m/s", "of several bodies: factor on the velocity of each, and about which it acted", "bodies, 4"),
+    CLOSING: (
+        "1, m/s",
+        "of several bodies: factor on the velocity of each, and the velocity about which it acted",
+        "bodies, 4",
+    ),
     JAMMED: (
         "m/s",
-        "about which velocity bodies, then tools, lost half of their motion after the step, as a tool jammed; else NaN",
+        "velocity about which bodies, then tools, lost half of their motion after the step, as a tool jammed; else NaN",
         "bodies + tools, 3",
     ),
     "link_work": ("J", "work that each link did on the copy", "links"),
-    "age": ("s", "of each link's sample at the end of the step, by the clocks as they are", "links"),
+    "age": ("s", "of each link's sample at the end of the step, by uncorrected clocks", "links"),
     "used": (
         "1",
-        "index of each link's sample; -1 the one before the first, -2 mixed of several, -3 not said",
+        "index of each link's sample; -1 before the first, -2 mixed from several, -3 not given",
         "links",
     ),
     "link_state": ("1", "of each link's end: 0 guarded, 1 ready, 2 coupled", "links"),
-    "tool_position": ("m", "place of every proxy after the step", "tools, 3"),
+    "tool_position": ("m", "position of every proxy after the step", "tools, 3"),
     "tool_velocity": ("m/s", "velocity of every proxy after the step", "tools, 3"),
     "drive_force": ("N", "mean force of what pulls each proxy", "tools, 3"),
     "touch_force": ("N", "mean force of contacts or grasp on each proxy", "tools, 3"),
@@ -70,14 +77,14 @@ STATES: dict[str, tuple[str, str, str]] = {
     "state_row": ("1", "row of the batch that the state belongs to", ""),
     "x": ("m", "position after the step, from rest, in the rows of the model", "rows, axes"),
     "v": ("m/s", "velocity after the step", "rows, axes"),
-    "middle": ("m", "position at mid-step: the sample that the neighbours were told", "rows, axes"),
+    "middle": ("m", "position at mid-step: the sample sent to the neighbours", "rows, axes"),
 }
 # Extra columns of links with a guard that an audit knows (`cotouch.peer.GuardLedger`); all but two are sums so far.
 GUARDS: dict[str, tuple[str, str]] = {
     "tank": ("J", "energy in the tank of each link after the step"),
-    "potential": ("J", "energy in the spring of each link as the step began"),
-    "credited": ("J", "damping that went to the tank of each link"),
-    "taken": ("J", "what the tank of each link got of the other end and of the copy's other links"),
+    "potential": ("J", "energy in the spring of each link at the start of the step"),
+    "credited": ("J", "dissipated energy that went to the tank of each link"),
+    "taken": ("J", "what the tank of each link got from the other end and from the copy's other links"),
     "given": ("J", "what the tank of each link gave to these"),
     "paid": ("J", "what the tank of each link paid for moving the spring's end, and for rounding"),
     "discarded": ("J", "what the tank of each link could not hold or keep"),
@@ -86,7 +93,7 @@ GUARDS: dict[str, tuple[str, str]] = {
 # Likewise; of these, what went over the link.
 EXCHANGE: dict[str, tuple[str, str]] = {
     "sent": ("J", "what the tank of each link gave to the other end"),
-    "received": ("J", "what the tank of each link got of the other end"),
+    "received": ("J", "what the tank of each link got from the other end"),
 }
 # One number for each step, of a session: what its links' tanks got of what a newcomer may have to come to the others.
 ADVANCED = "advanced"
@@ -94,7 +101,7 @@ ADVANCED = "advanced"
 SAID = "said"
 HOW_SAID = (
     "1",
-    "how each neighbour was told of the step: 0 in full numbers, 255 rounded, since how many steps it goes on, -1 not",
+    "how the step was sent to each neighbour: 0 in full, 255 rounded, 1 to 254 as continued for so many steps, -1 not",
 )
 UNSAID = -3
 _TYPES = ("<f8", "<f4", "<i8", "<i4", "|i1")

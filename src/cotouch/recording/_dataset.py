@@ -46,15 +46,15 @@ _PLAIN = {
 # Of bodies with a material.
 _CLOSED_SUMS = {"world_loss": "of body_loss: lost so far in friction and damping at obstacles and between bodies"}
 _CLOSED = {
-    "closure": ("J", "work on the velocity that closed the step; in no other column"),
-    "closure_factor": ("1", "by how much that changed the velocity, |beta - 1|"),
-    "shortened": ("1", "share of the step that was given up to close it"),
+    "closure": ("J", "work of the velocity correction that closed the step; in no other variable"),
+    "closure_factor": ("1", "relative change of the velocity by it, |beta - 1|"),
+    "shortened": ("1", "fraction of the step that was given up to close it"),
     "world_stored": ("J", "of elastic: held by obstacles and between bodies"),
 }
 _TOOLS = {
     "tool_position": ("m", "position y of a proxy"),
     "tool_velocity": ("m/s", "velocity w of a proxy"),
-    "drive_force": ("N", "mean force over the step of what pulls a proxy"),
+    "drive_force": ("N", "mean force over the step of what drives a proxy"),
     "touch_force": ("N", "mean force over the step of contacts or grasp on a proxy"),
 }
 
@@ -137,9 +137,9 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
             ("user", "step", "body"),
             factors,
             "1",
-            "by what closing the step scaled each body's velocity",
+            "factor by which closing the step scaled each body's velocity",
         )
-        put("body_centre", ("user", "step", "body", "space"), centres, "m/s", "velocity about which that scaled it")
+        put("body_centre", ("user", "step", "body", "space"), centres, "m/s", "velocity about which that factor acted")
     forces = [_shifted(_force(recording)) for recording in recordings]
     put("force", ("user", "step", "axis"), list(enumerate(forces)), "N", "sum of the mean forces at a user's ports")
     for name, (unit, text) in _TOOLS.items():
@@ -149,8 +149,8 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
     if directions:
         for name, unit, text in (
             ("link_work", "J", "work of the link on its receiver so far"),
-            ("age", "s", "age of the sample used, by the clocks as they are"),
-            ("used", "1", "index of the sample used; < 0 where it has none"),
+            ("age", "s", "age of the sample used, by uncorrected clocks"),
+            ("used", "1", "index of the sample used; < 0 if it has none"),
             (
                 "link_state",
                 "1",
@@ -178,7 +178,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
         column(name, ("user", "step", *(f"{name}_{k}" for k in range(wide))), unit, text)
     spare = slack_of(recordings, offsets)
     if spare is not None:
-        meaning = "lost so far in the damping B_i less what the age of samples added: what inequality (7) has to spare"
+        meaning = "lost so far in the damping B_i, less what the age of samples added: the slack of inequality (7)"
         data["slack"] = (("tick",), spare.energy, {"units": "J", "long_name": meaning})
         of_ticks = {"units": "s", "long_name": "time of the network-wide records"}
         data["tick_time"] = (("tick",), spare.time - start, of_ticks)
@@ -202,7 +202,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
 
 
 def save_dataset(run: "xr.Dataset", path: str | Path) -> None:
-    """Writes it to a NetCDF 4 file, compressed, whole or not at all.
+    """Writes a dataset to a NetCDF 4 file, compressed, whole or not at all.
 
     Args:
         run: the dataset.

@@ -41,7 +41,7 @@ def make(path: Path) -> RawFile:
 
 @final
 class NewFile:
-    """A file that was not there before, written from its beginning to its end.
+    """A file that did not exist before, written from beginning to end.
 
     Bytes go out at once; an error while they do leaves what `keep` was told of, and nothing after it.
 

@@ -28,7 +28,7 @@ _JOIN = 30.0
 @final
 @dataclass(frozen=True, kw_only=True)
 class Recorded:
-    """What became of a recording.
+    """The outcome of a recording.
 
     Attributes:
         steps: that are in the file.

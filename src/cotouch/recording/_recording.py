@@ -43,7 +43,7 @@ class RecordedEvent:
 
 
 class Setup(NamedTuple):
-    """What the ledger of some steps follow from; see `Recorder.setup`.
+    """What the ledger of some steps depends on; see `Recorder.setup`.
 
     Attributes:
         first: index of the first step that it holds for.

@@ -1,4 +1,4 @@
-"""What neighbours tell each other many times a second: datagrams sealed, sent, put together, and how old they are."""
+"""The samples that neighbours send each other: datagrams, how they are sealed and reassembled, and their ages."""
 
 from cotouch.samples._address import Address, flaw, numeric, origin, plain_address
 from cotouch.samples._ages import AgeWindow, LinkAges

@@ -8,7 +8,7 @@ from cotouch.errors import SessionError
 
 
 class Address(NamedTuple):
-    """Where a neighbour is, in numbers: names are resolved by whoever has time for it."""
+    """Where a neighbour is, in numbers: names are resolved elsewhere, where there is time for it."""
 
     host: str
     port: int
@@ -31,7 +31,7 @@ def numeric(host: str) -> Numeric:
 
 
 def plain_address(source: object) -> Address | None:
-    """A source of datagrams in the one form that compares: IPv4 within IPv6 becomes IPv4. None: it is no address."""
+    """A datagram's source in a comparable form: IPv4 within IPv6 becomes IPv4. None: it is not an address."""
     match source:
         case (str(host), int(port)) if isinstance(source, tuple):
             pass
@@ -47,7 +47,7 @@ def plain_address(source: object) -> Address | None:
 
 
 def flaw(address: Address) -> str | None:
-    """Why nobody is to be sent anything there, whoever asks for it; None: it may be one member's address.
+    """Why nothing must be sent to an address, whoever asks for it; None: it may be a member's address.
 
     Args:
         address: in plain form.
@@ -67,5 +67,5 @@ def flaw(address: Address) -> str | None:
 
 
 def origin(host: str) -> str:
-    """What one owner of addresses cannot change at will: an IPv4 address, or a network of 64 bits."""
+    """The part of an address that its owner cannot change at will: an IPv4 address, or a 64-bit network."""
     return host if ":" not in host else ":".join(host.split(":")[:4])

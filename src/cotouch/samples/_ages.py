@@ -31,7 +31,7 @@ _AT_ONCE = 8
 
 @final
 class AgeWindow:
-    """Values of the last so many seconds: their greatest, smallest and quantiles.
+    """Values of the last few seconds: their greatest, smallest and quantiles.
 
     Adding one and asking cost about a microsecond, however many there are: both happen in the loop of a peer.
     """
@@ -107,7 +107,7 @@ class AgeWindow:
 
 @final
 class LinkAges:
-    """What one end of a link knows of both directions' ages.
+    """What one end of a link knows about the ages in both directions.
 
     Attributes:
         impossible: how many echoes came back before they were sent, as only a wrong or lying clock gives.

@@ -13,7 +13,7 @@ from cotouch.samples._layout import Layout
 
 @final
 class Assembly:
-    """A neighbour's state, put together of the newest chunks; a `Link` of the peer (freshest).
+    """A neighbour's state, assembled from the newest chunks; a `Link` of the peer (freshest).
 
     A lost chunk leaves its rows as they are and ages only them. Duplicates and what was overtaken change nothing.
 

@@ -17,7 +17,7 @@ _PLAIN = LinkHeader()
 
 
 class Heading(NamedTuple):
-    """What a datagram says besides the state.
+    """What a datagram contains besides the state.
 
     Attributes:
         epoch: of the session: which members, links and layout.
@@ -72,7 +72,7 @@ class Chunk(NamedTuple):
 
 
 class Coded(NamedTuple):
-    """A datagram of a perceptual codec, of which the link's decoder makes chunks.
+    """A datagram of a perceptual codec, which the link's decoder turns into chunks.
 
     Attributes:
         heading: what it says besides.
@@ -86,7 +86,7 @@ class Coded(NamedTuple):
 
 
 class Written(NamedTuple):
-    """A state as it goes over the wire, the same to every neighbour.
+    """A state as it is on the wire, the same for every neighbour.
 
     Attributes:
         bodies: of each chunk.
@@ -101,7 +101,7 @@ class Written(NamedTuple):
 
 @final
 class Refusal(Enum):
-    """Reasons, in the order in which they are looked for."""
+    """Reasons to refuse a datagram, in the order in which they are checked."""
 
     SHORT = "too short to be one of ours"
     VERSION = "another version of the format"

@@ -56,7 +56,7 @@ class PathLaw:
 
 @final
 class EmulatedPath:
-    """One direction of a path and what it remembers: its burst, its first datagram, and how long its wire is taken.
+    """One direction of a path with its memory: its burst, its first datagram, and how long its wire is occupied.
 
     Attributes:
         law: may be changed at any time.

@@ -15,7 +15,7 @@ _MOST_WAITING = 100_000
 
 @final
 class ImpairedTransport:
-    """Holds back, loses and doubles what is sent, by a law for each neighbour; see `Transport`.
+    """Delays, loses and duplicates what is sent, by a law for each neighbour; see `Transport`.
 
     What is due leaves at the next call. Delays are exact for whoever polls once `due` has come, else longer by up to
     the time between two calls.

@@ -15,7 +15,7 @@ IV_BYTES = 12
 
 
 class DirectionKeys(NamedTuple):
-    """What one direction of a link is sealed with.
+    """The keys that seal one direction of a link.
 
     Attributes:
         connection: number that the receiver chose for the link; it finds the link whatever the address.

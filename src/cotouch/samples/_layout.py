@@ -23,7 +23,7 @@ _ROUNDING = {"float64": (0.0, 0.0), "float32": (2.0**-24, 2.0**-150), "float16":
 @final
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Layout:
-    """Which rows travel in which chunk, and as what.
+    """Which rows travel in which chunk, and in which format.
 
     Each chunk can be used without the others: a node's spring needs only that node's sample. Where a basis is given,
     its coordinates travel instead of the rows, in one datagram, since every row needs all of them.

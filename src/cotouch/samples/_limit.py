@@ -9,7 +9,7 @@ _STRANGERS = 64
 
 @final
 class Bucket:
-    """Lets `rate` through in the long run and `burst` at once."""
+    """Admits `rate` in the long run and `burst` at once."""
 
     __slots__ = ("_burst", "_left", "_rate", "_then")
 

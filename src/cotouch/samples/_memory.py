@@ -13,7 +13,7 @@ from cotouch.samples._transport import MOST_BYTES, Arrival, Traffic
 
 @final
 class MemoryNetwork:
-    """Carries datagrams between its transports by laws of delay, loss and so on; the same seed, the same fates.
+    """Carries datagrams between its transports by laws of delay, loss and so on; the seed decides the fates.
 
     Attributes:
         now: its clock; moved by whoever uses it, and never backwards [s].

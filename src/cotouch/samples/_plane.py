@@ -24,7 +24,7 @@ from cotouch.samples._transport import Arrival, Transport
 @final
 @dataclass(eq=False)
 class SampleLink:
-    """All that the sample plane holds of one neighbour.
+    """All that the sample plane keeps about one neighbour.
 
     Attributes:
         assembly: its state, as far as it arrived; the peer's link.
@@ -122,7 +122,7 @@ class SampleLink:
 
 @final
 class SamplePlane:
-    """Sends a user's samples to its neighbours and puts theirs together.
+    """Sends a user's samples to its neighbours and reassembles theirs.
 
     In every step: `poll`, the peer's step with `links[j].assembly` as its links, or the guards around them, `stepped`,
     `send`. Times are those of one clock of this user, the one that the transport stamps arrivals with.

@@ -29,7 +29,7 @@ _SILENCE = 1.0
 
 @final
 class Trend(Enum):
-    """What the last interval led to."""
+    """The trend of the last interval."""
 
     HOLD = "not enough known"
     UP = "clean: raised"

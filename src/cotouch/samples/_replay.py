@@ -7,7 +7,7 @@ _BITS = 64
 
 @final
 class ReplayWindow:
-    """Tells the new from the seen and the too old, in constant time and memory.
+    """Tells new numbers from seen and old ones, in constant time and memory.
 
     Attributes:
         newest: greatest number marked; -1 before the first.

@@ -37,7 +37,7 @@ _GRACE = 2.0
 
 
 class Opened(NamedTuple):
-    """A datagram whose seal fits.
+    """A datagram whose seal was verified.
 
     Attributes:
         payload: what the other end sealed.
@@ -63,7 +63,7 @@ class _Sending(NamedTuple):
 
 
 def connection_of(datagram: bytes) -> int | Refusal:
-    """For which link a datagram says it is; nothing about it is true yet."""
+    """The link to which a datagram claims to belong; none of it is verified yet."""
     if len(datagram) < OVERHEAD:
         return Refusal.SHORT
     version, reserved, _, connection, _ = HEADER.unpack_from(datagram)

@@ -28,7 +28,7 @@ class Arrival(NamedTuple):
 @final
 @dataclass(eq=False)
 class Traffic:
-    """What went through a transport.
+    """What has passed through a transport.
 
     Attributes:
         sent: datagrams handed to the network.
@@ -69,7 +69,7 @@ class Traffic:
 
 
 class Transport(Protocol):
-    """Carries datagrams of at most `MOST_BYTES`; any of them may be lost, late, doubled, overtaken or forged.
+    """Carries datagrams of at most `MOST_BYTES`, any of which may be lost, late, duplicated, reordered or forged.
 
     A neighbour is wherever its owner said (`follow`): at first where the session says, afterwards where its last
     authenticated datagram came from.
@@ -116,7 +116,7 @@ class Transport(Protocol):
 
 
 class AddressedTransport(Transport, Protocol):
-    """A transport over a socket of addresses, on which ways can be looked for; `UdpTransport` is one."""
+    """A transport over a socket on which paths can be probed; `UdpTransport` is one."""
 
     @property
     def address(self) -> Address:

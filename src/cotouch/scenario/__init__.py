@@ -1,4 +1,4 @@
-"""What a run or a session is asked for: tables read from a file, and the hands and tools that follow from them."""
+"""Scenarios: the tables of a TOML file, and the hands and tools that are made from them."""
 
 from cotouch.scenario._bodies_table import colours_of
 from cotouch.scenario._body_tables import FileTable

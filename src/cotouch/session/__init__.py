@@ -1,4 +1,4 @@
-"""A live session as processes run it: opening, joining, measuring, playing on a real clock, the demonstration."""
+"""The processes of a live session: opening, joining, measuring, playing on a real clock, the demonstration."""
 
 from cotouch.session._demo import DemoOutcome, all_move, play
 from cotouch.session._demo_session import demo_session

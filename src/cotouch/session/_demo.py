@@ -137,7 +137,7 @@ def _played(
 
 
 def all_move(api: DemoSessionApi) -> bool:
-    """Whether all members are there and their copies move.
+    """Whether all members are present and their copies move.
 
     Args:
         api: of the session.

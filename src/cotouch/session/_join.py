@@ -29,7 +29,7 @@ _LOOK, _ANSWER = 2.0, 1.0
 
 
 def fetch_session(control: ControlPlane, invitation: Invitation, folder: Path) -> SessionFile:
-    """The session's file and meshes, from whoever has them.
+    """The session's file and meshes, from any member that has them.
 
     Args:
         control: the control plane.

@@ -21,7 +21,7 @@ _POLL = 0.02
 @final
 @dataclass(frozen=True, kw_only=True)
 class MeasuredNetwork:
-    """The network of a session as it is.
+    """The network of a session as measured.
 
     Attributes:
         network: of those who are there: their names, the session's springs, measured delays, the links in force. A
@@ -53,7 +53,7 @@ class MeasuredNetwork:
 
 
 def measured_network(watch: SessionWatch, session: SessionFile) -> MeasuredNetwork:
-    """What members have said of their ways so far.
+    """What members have reported about their paths so far.
 
     Args:
         watch: of the session.

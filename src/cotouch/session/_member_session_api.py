@@ -151,7 +151,7 @@ def member_session_api(
     listen: str | None = None,
     options: Sequence[str] = (),
 ) -> Generator[MemberSessionApi]:
-    """Takes part in a session by a process of its own, and sees it from here.
+    """Takes part in a session through a process of its own, and observes it from here.
 
     Args:
         invitation: to the session.

@@ -156,7 +156,7 @@ def _fingerprint(session: SessionFile) -> list[float]:
 
 @contextmanager
 def watching(invitation: Invitation, *, listen: str | None = None) -> Generator[SessionWatch]:
-    """Sees a session without taking part.
+    """Observes a session without taking part.
 
     Args:
         invitation: to the session.

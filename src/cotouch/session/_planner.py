@@ -19,7 +19,7 @@ _TIME_UNIT = 0.001
 
 @final
 class LinkPlanner:
-    """A `Planner` that works in another process: asked again and again, it answers when it has found something."""
+    """A `Planner` that works in another process: asked repeatedly, it answers once it has found something."""
 
     def __init__(self, session: SessionFile) -> None:
         """Prepares to plan.

@@ -16,7 +16,7 @@ _PATIENCE = 10.0
 
 @final
 class MemberProcess:
-    """`cotouch join` in a process of its own; the invitation goes in by its standard input, where nobody sees it.
+    """`cotouch join` in a process of its own, which gets the invitation through its standard input, unseen.
 
     It leaves the session when this process is gone.
     """

@@ -10,7 +10,7 @@ from cotouch.simulation._prepare import Prepared
 
 _MASSES = 4  # of each tool
 UNITS = {
-    "rigid_position": ("m", "place of a rigid tool's handle"),
+    "rigid_position": ("m", "position of a rigid tool's handle"),
     "rigid_rotation": (
         "rad",
         "how a rigid tool has turned from its start: along the axis of turning, as long as the angle",
@@ -18,9 +18,15 @@ UNITS = {
     "rigid_velocity": ("m/s", "velocity of a rigid tool's handle"),
     "rigid_spin": ("rad/s", "angular velocity of a rigid tool"),
     "rigid_force": ("N", "mean force of the hand on a rigid tool over the step; the hand feels the opposite"),
-    "rigid_torque": ("N m", "mean torque of the hand on a rigid tool over the step, about the handle; likewise"),
-    "rigid_contact_force": ("N", "mean force on a rigid tool over the step of all that it meets"),
-    "rigid_contact_torque": ("N m", "mean torque on a rigid tool over the step of all that it meets, about the handle"),
+    "rigid_torque": (
+        "N m",
+        "mean torque of the hand on a rigid tool over the step, about the handle; the hand feels the opposite",
+    ),
+    "rigid_contact_force": ("N", "mean force on a rigid tool over the step from all that it touches"),
+    "rigid_contact_torque": (
+        "N m",
+        "mean torque on a rigid tool over the step from all that it touches, about the handle",
+    ),
 }
 
 

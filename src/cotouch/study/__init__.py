@@ -1,4 +1,4 @@
-"""The paper's experiment, its theorem and its errata, computed anew and written up as one page."""
+"""The paper's experiment, its theorem and its errata, recomputed and reported on one page."""
 
 from cotouch.study._confirm import confirmed
 from cotouch.study._data import five_users

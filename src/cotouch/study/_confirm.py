@@ -26,7 +26,7 @@ _ALIKE = 0.1
 def confirmed(
     network: Network, rate: float, *, mass: float = 1.0, damping: float = 0.0, stiffness: float = 0.0
 ) -> float:
-    """Rate of the slowest mode in 1/s, as a free decay in the simulator shows it.
+    """Rate of the slowest mode, as a free decay in the simulator shows it [1/s].
 
     Copies of a point let go apart, at rest, with the rule's damping in constant mode. The velocities are a sum of
     exponentials; the slowest of those that are there is what comes back (Ho-Kalman: the shift between two block Hankel

@@ -21,7 +21,7 @@ START = (0.10, -0.05, 0.06, -0.08, 0.02)
 
 
 def five_users() -> Path:
-    """The scenario file of the paper's five users: beside this package where it is installed, else in `examples/`.
+    """The scenario file of the paper's five users: beside this package if installed, otherwise in `examples/`.
 
     Raises:
         ScenarioError: it is in neither place.

@@ -39,7 +39,7 @@ _QUICK = {"period": 5e-3, "theorem": 5e-3, "corners": 24}
 @final
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Reproduction:
-    """Everything that was found.
+    """Everything that a reproduction found.
 
     Attributes:
         report: path of the HTML page.

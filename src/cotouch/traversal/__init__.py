@@ -1,4 +1,4 @@
-"""How datagrams find their way: candidates, probes and relays behind NATs and after a change of address."""
+"""How datagrams find their way: candidates, probes and relays, behind NATs and after a change of address."""
 
 from cotouch.traversal._addresses import Addresses, Place
 from cotouch.traversal._candidates import (

@@ -17,7 +17,7 @@ COOKIE_BYTES = 4
 
 
 class Place(NamedTuple):
-    """What shows where a member is.
+    """A proof of where a member is.
 
     Attributes:
         nonce: that it asked with.
@@ -42,7 +42,7 @@ def transaction_of(member: bytes, nonce: bytes) -> bytes:
 
 @final
 class Addresses:
-    """The host's: makes what is told, and knows it again."""
+    """The host's side: makes proofs of addresses, and recognises them."""
 
     def __init__(self, entropy: Entropy) -> None:
         """Draws what nobody else knows."""

@@ -28,7 +28,7 @@ _HOST_BYTES = {4: 4, 6: 16}
 
 @final
 class CandidateKind(IntEnum):
-    """How an address is known; the smaller, the straighter."""
+    """How an address is known; the smaller, the more direct."""
 
     LOCAL = 0
     REFLEXIVE = 1
@@ -82,7 +82,7 @@ def local_candidates(listening: Address, interfaces: Iterable[str]) -> list[Cand
 
 
 def write_offer(nonce: bytes, candidates: Sequence[Candidate]) -> bytes:
-    """The message; of too many candidates the first.
+    """The message; if there are too many candidates, the first of them.
 
     Args:
         nonce: what makes the question new.
@@ -107,7 +107,7 @@ def write_offer(nonce: bytes, candidates: Sequence[Candidate]) -> bytes:
 
 
 def read_offer(message: bytes) -> Offer | None:
-    """What a neighbour says of itself; None if it cannot be read. Never raises for what is in it."""
+    """What a neighbour says about itself, or None if it cannot be read. Never raises for its contents."""
     if len(message) < 2 + PAIR_NONCE_BYTES or message[0] != _VERSION or message[1] > MOST_CANDIDATES:
         return None
     found: dict[Candidate, None] = {}

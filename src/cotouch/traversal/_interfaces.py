@@ -4,7 +4,7 @@ import socket
 
 
 def interface_hosts() -> list[str]:
-    """IPv4 and IPv6 addresses of all interfaces that are up, without those that take the name of an interface."""
+    """IPv4 and IPv6 addresses of all interfaces that are up, except those that need an interface's name."""
     import psutil  # loaded where a socket listens on all interfaces, and nowhere else
 
     up = {name for name, state in psutil.net_if_stats().items() if state.isup}

@@ -59,7 +59,7 @@ class Probe(NamedTuple):
 
 @final
 class PathProber:
-    """Finds and keeps the way to one neighbour. Opens nothing: probes in, probes out.
+    """Finds and keeps the path to one neighbour. Opens nothing: probes in, probes out.
 
     Attributes:
         path_state: of now.

@@ -9,7 +9,7 @@ from cotouch.traversal._path_prober import PathProber, PathState
 
 
 class ByRelay(NamedTuple):
-    """Source of a datagram that came by the control plane.
+    """Source of a datagram that arrived over the control plane.
 
     Attributes:
         member: public key of the member it says it is from.
@@ -19,7 +19,7 @@ class ByRelay(NamedTuple):
 
 
 class PathChanged(NamedTuple):
-    """A neighbour is reached another way.
+    """A neighbour is reached by another path.
 
     Attributes:
         neighbour: index of the user.

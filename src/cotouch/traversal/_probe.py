@@ -48,7 +48,7 @@ class Kind(IntEnum):
 
 
 class PairKeys(NamedTuple):
-    """What one end's probes to the other are known by.
+    """The keys by which one end's probes to the other are recognised.
 
     Attributes:
         sending: label and key of what this end sends.
@@ -63,7 +63,7 @@ class PairKeys(NamedTuple):
 
 
 def member_key(secret: bytes, session: bytes) -> bytes:
-    """Key of asks and tells.
+    """The key of questions for one's own address, and of their answers.
 
     Args:
         secret: what only invited members know.

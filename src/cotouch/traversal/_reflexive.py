@@ -17,7 +17,7 @@ _DOUBT = 4
 
 @final
 class Mirror:
-    """Tells members where their questions come from. Limits are up to who reads the socket."""
+    """Tells members where their questions come from. Limits are up to the reader of the socket."""
 
     def __init__(self, key: bytes, addresses: Addresses | None = None) -> None:
         """Takes the members' key, see `member_key`, and what makes cookies, if this is the host's."""
@@ -50,7 +50,7 @@ class _Asked:
 
 @final
 class Lookup:
-    """Asks mirrors for this member's own address: a few times in a hurry, then as often as keeps a NAT's mapping."""
+    """Asks mirrors for this member's own address: a few times quickly, then often enough to keep a NAT's mapping."""
 
     def __init__(self, key: bytes, entropy: Entropy, member: bytes) -> None:
         """Takes the members' key, what draws the nonces of questions, and this member's public key."""

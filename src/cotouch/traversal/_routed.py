@@ -37,7 +37,7 @@ _SERVICE = 0.002
 
 @final
 class RoutedTransport:
-    """Samples straight to neighbours where an address of theirs answers, and by the relay where none does.
+    """Samples straight to neighbours that answer at one of their addresses, and over the relay to others.
 
     See `Transport`. A neighbour that was introduced is sent to where it answers, whatever address a datagram of it came
     from: `follow` only says where to ask. One that was not introduced is followed as the socket would. `poll` is to be

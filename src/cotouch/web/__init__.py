@@ -1,4 +1,4 @@
-"""The page in the browser: what it shows, and the server that it comes from."""
+"""The page in the browser, and the server that it comes from."""
 
 from cotouch.web._address import PORT, PageAddress
 from cotouch.web._protocol import Hello, TakeControl

@@ -14,7 +14,7 @@ _QUEUE: Final = 128
 
 @final
 class PageAddress:
-    """A port of this machine, taken for a page; who calls waits until a server answers.
+    """A port of this machine, reserved for a page; callers wait until a server answers.
 
     Attributes:
         listen: address of this machine.

@@ -26,7 +26,7 @@ _PING: Final = 5.0  # a page that is gone without a word is noticed after about 
 
 @final
 class PageServer:
-    """Serves the page of a stage until it is closed.
+    """Serves the page of a `SessionApi` until it is closed.
 
     Attributes:
         port: that it listens on.

@@ -33,7 +33,7 @@ class Verdict:
 
 
 def judged(overview: Overview) -> Verdict:
-    """Judges by what members said last: their ledger, their damping, and the ages that it covers.
+    """Judges a session by members' last reports: their ledger, their damping, and the ages that it covers.
 
     Args:
         overview: of a stage.
