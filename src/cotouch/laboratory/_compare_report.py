@@ -339,8 +339,8 @@ def _method(data: "xr.Dataset", study: Study) -> Section:
         else (
             f"Every law is tuned alike: the springs and every parameter except initial energies, as multiples of its "
             f"default from 1/{tuning.range:g} to {tuning.range:g}; {tuning.search} settings that fill the space "
-            f"evenly, then {tuning.local} near the best; {tuning.draws} draw{'s' * (tuning.draws > 1)} of each task with "
-            f"{tuning.users} users; these draws do not count otherwise. A setting counts only if pushes die away, "
+            f"evenly, then {tuning.local} near the best; {tuning.draws} draw{'s' * (tuning.draws > 1)} of each task "
+            f"with {tuning.users} users; these draws do not count otherwise. A setting counts only if pushes die away, "
             f"also with hands {study.stiffer:g} times stiffer."
         )
     )
