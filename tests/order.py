@@ -50,6 +50,7 @@ TIMED = (*ALONE, *PATIENT)
 _ROOMS = (
     "body",
     "device",
+    "drawing",
     "laboratory",
     "laws",
     "mechanics",

@@ -162,6 +162,16 @@ def test_tests_see_of_other_rooms_what_they_show() -> None:
     assert needless == [], "the room itself shows this"
 
 
+def test_every_room_has_tests_of_its_name() -> None:
+    """One goes from a room to its tests without looking; those of `live` and `architecture` are of several rooms."""
+    tests = {path.relative_to(ROOT / "tests").parts[0] for path in (ROOT / "tests").rglob("test_*.py")}
+    rooms = {name.removeprefix("cotouch.") for name in ROOMS if name != "cotouch"}
+    modules = {room for room in rooms if (PACKAGE / f"{room}.py").exists()}
+    assert sorted(rooms - modules - tests) == []
+    folders = {name for name in tests if not name.endswith(".py")}
+    assert sorted(folders - rooms) == ["architecture", "live"]
+
+
 def test_one_file_of_a_rooms_tests_imports_what_is_private_there() -> None:
     """So one sees at once how much of the inside is tested, and whoever renames some of it edits one list."""
     found: dict[str, set[str]] = {}

@@ -33,9 +33,9 @@ def world(tmp_path: Path) -> World:
     return made(SESSION, tmp_path)
 
 
-def made(text: str, tmp_path: Path) -> World:
+def made(text: str, tmp_path: Path, *, unsafe: bool = True) -> World:
     (tmp_path / "recordings").mkdir()
-    made = World(text, tick=1e-3, mailboxes=MailboxFolder(tmp_path))
+    made = World(text, tick=1e-3, mailboxes=MailboxFolder(tmp_path), unsafe=unsafe)
     for name in made.session.scenario.network.users:
         made.join(name)
     made.until(made.all_coupled, 12.0)
@@ -216,10 +216,8 @@ def test_without_its_damping_a_session_runs_away_is_caught_and_settles(tmp_path:
     assert all(person.copy.totals.alarms == 0 for person in world.people)
 
 
-def test_who_may_not_lower_the_damping_does_not(world: World) -> None:
-    for person in world.people:
-        assert person.telemetry is not None
-        person.telemetry._unsafe = False
+def test_who_may_not_lower_the_damping_does_not(tmp_path: Path) -> None:
+    world = made(SESSION, tmp_path, unsafe=False)
     commanded(world, "").damping(0.02)
     world.run(0.5)
     assert [person.copy.damping_fraction for person in world.people] == [1.0, 1.0]

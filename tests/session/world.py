@@ -113,7 +113,7 @@ class Person:
         self.telemetry = None
         if world.mailboxes is not None:
             self.telemetry = TelemetryPublisher(
-                world.mailboxes, name, world.session, world.replica, unsafe=True, recorder=self.session_recorder
+                world.mailboxes, name, world.session, world.replica, unsafe=world.unsafe, recorder=self.session_recorder
             )
         self.member = Member(
             session=world.session,
@@ -193,8 +193,10 @@ class World:
         folder: Path | None = None,
         mailboxes: MailboxFolder | None = None,
         planner: Planner | None = None,
+        unsafe: bool = True,
     ) -> None:
         self.folder = folder
+        self.unsafe = unsafe
         self.mailboxes = mailboxes
         self.recordings: list[Path] = []
         self.session = SessionFile.from_toml(text)

@@ -111,7 +111,8 @@ def sweep(path: Path, *, vary: Sequence[str], out: Path | None, dask: str | None
         return
 
     units = {name: unit for name, (unit, _) in SWEPT.items() if name != "finished"}
-    headings = (f"{name.removeprefix('law_')}\n{unit}" for name, unit in units.items())
+    # A narrow column has a word of its name in a row.
+    headings = ("\n".join([*name.removeprefix("law_").split("_"), unit]) for name, unit in units.items())
     listed = new_table(*map(literal, options), *headings, text=len(options))
     for row in rows:
         cells = [_cell(row[option]) for option in options]
