@@ -106,6 +106,42 @@ def test_a_body_that_meets_itself_does_so_in_every_world_to_the_same_bits() -> N
     assert max(abs(report.residual) for reports in peers.reports for report in reports) <= 1e-15
 
 
+def test_what_is_pressed_into_itself_comes_out_as_soon_as_its_grasp_pulls(tmp_path: Path) -> None:
+    """A clamp whose upper tip is pressed as deep into the lower one as it may come."""
+    points, tetrahedra = boxes((8, 3, 7), 0.006)
+    column, _, row = np.floor(points[tetrahedra].mean(axis=1) / 0.006).astype(int).T
+    meshio.Mesh(points, [("tetra", tetrahedra[(column < 2) | (row < 2) | (row > 3)])]).write(tmp_path / "clamp.vtk")
+    pull, path = 0.45, [[0, 0, 0, 0], [0.3, 0, 0, -0.025], [0.45, 0, 0, -0.025], [0.75, 0, 0, 0]]
+    grasp = {"kind": "grasp", "at": [0.039, 0.006, 0.034], "radius": 0.01, "stiffness": 300, "damping": 0.5}
+    hand = {"stiffness": 300, "damping": 4, "path": path}
+    scenario = Scenario.make(
+        network={"users": ["Ann"], "spring": [[0]], "delay": [[0]]},
+        body={
+            "file": str(tmp_path / "clamp.vtk"),
+            "unit": "m",
+            "model": "corotated",
+            "young": 2e4,
+            "poisson": 0.3,
+            "density": 800,
+            "rayleigh_stiffness": 2e-3,
+            "ground": {"box": {"low": [-0.001, -0.001, -0.001], "high": [0.07, 0.02, 0.001]}},
+            "ground_stiffness": 300,
+        },
+        between={"self_contact": True, "stiffness": 1e6, "friction": 0, "damping": 2},
+        tools=[{"user": 1, "mass": 0.03, "hand": hand, **grasp}],
+        steps={"duration": 0.7, "period": 0.002},
+        record={"nodes": "all"},
+    )
+    ready = prepare(scenario)
+    batch, peers = run_batch(ready), run_peers(ready)
+    assert np.array_equal(batch.position, np.stack([places[-1] for places in peers.position]))
+    assert max(abs(report.residual) for reports in peers.reports for report in reports) <= 1e-15
+    run = simulate(scenario)
+    moved = np.linalg.norm(np.diff(run["position"].values[0], axis=0), axis=2).max(axis=1)
+    assert run["closure_alarms"].values[0, -1] > 0  # it was as deep as it may come
+    assert (moved[run["time"].values[0, 1:] > pull + 0.01] > 1e-6).all()
+
+
 @pytest.mark.parametrize(
     ("faces", "whole"), [(False, False), (False, True), (True, True)], ids=["peers", "elements", "faces"]
 )

@@ -25,16 +25,19 @@ from cotouch.mechanics._balance_length import ask_length, free_groups, shortest,
 from cotouch.mechanics._balance_parts import close_all
 from cotouch.mechanics._contact_catch import room
 from cotouch.mechanics._contact_centre import go_about, is_free, join_crossed
+from cotouch.mechanics._contact_follow import follow_all
 from cotouch.mechanics._contact_others import free_others, shorten_others
 from cotouch.mechanics._contact_outside import soften_all
 from cotouch.mechanics._contact_over import ROUNDING, driven, holds, leave, moved_by, over_of, passes, went_astray
 from cotouch.mechanics._contact_press import unsure
 from cotouch.mechanics._contact_search import search_touched, seekable
+from cotouch.mechanics._contact_skin import fastest
 from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_weigh import EASY, is_closed, next_scale, weigh_way
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._kernel import part
+from cotouch.mechanics._meeting_stop import join_deep
 from cotouch.mechanics._operator import Operator
 from cotouch.mechanics._state import SHORTENED, SUPPLIED, Links, Ports, State, Workspace
 from cotouch.mechanics._step import book_energies, move, port_work
@@ -52,6 +55,8 @@ _HALVES = 60
 _PARTS, _SHARE = 24, 1e-4
 # A tool that would pass the skin goes so much of the way to it.
 _SHORT = 0.9
+# How often what would come too deep into its own body is made to move as one.
+_JOINS = 12
 # What a search may miss of the motion: first, and where that does not close the step.
 _ENOUGH = (1e-4, 1e-6)
 
@@ -166,7 +171,7 @@ def balanced(
         searches = len(_ENOUGH)
     seeks, still, rounded, hardly, told = not held_back, False, True, False, False
     scale, have, last, last_over, tries, halves, shrinks, square = most, 1.0, 0.0, 0.0, 0, 0, ROUNDING, 1.0
-    shorter, crossed, frees, foretells, most_halves = 0, False, True, False, _PARTS if central else _HALVES
+    shorter, joins, crossed, frees, foretells, most_halves = 0, 0, False, True, False, _PARTS if central else _HALVES
     if central:
         shrinks = _SHARE
         join_crossed(surface, tools, touch, force, T)
@@ -222,6 +227,17 @@ def balanced(
                 lanes,
             )
             weighed = work.weighed
+            passed = passed or (joins > 0 and passes(surface, touch, tools, scale * T))
+            if passed and scale == 1.0 and joins < _JOINS and not (central or others):
+                joins += 1
+                if join_deep(force.world, op.mass, work.mean, lanes):
+                    go_back(force, state, work, lanes)
+                    touch.quick[0] = fastest(surface, work.mean, lanes)
+                    follow_all(surface, touch, tools, T, state, work.mean, work.diagonal, look, lanes)
+                    keep_place(state, work, lanes)
+                    ask_length(work, lanes)
+                    seeks, tries, last = True, 0, 0.0
+                    continue
             meets = touches or holds(touch, tools)  # or comes in, or out, after all that looks see of the step
             rounded, hardly = is_rounded(weighed, over, op.copy_scale), is_rough(weighed)
             easy = touches or (meets and (seeks or searches > 0))

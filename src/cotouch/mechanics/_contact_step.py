@@ -14,9 +14,10 @@ from cotouch.mechanics._balance_parts import hold_parts
 from cotouch.mechanics._contact_balance import balanced
 from cotouch.mechanics._contact_catch import begin_catch, catch
 from cotouch.mechanics._contact_centre import JAMMED, lose_motion
+from cotouch.mechanics._contact_follow import follow_all
 from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_rows, tell
 from cotouch.mechanics._contact_outside import begin_tool, feel_first
-from cotouch.mechanics._contact_press import feel_tool, read_skin
+from cotouch.mechanics._contact_press import feel_tool
 from cotouch.mechanics._contact_settled import changed, settled
 from cotouch.mechanics._contact_skin import (
     fastest,
@@ -189,12 +190,7 @@ def contact_step(
             _move_tool(touch, t)
         if last:
             break
-    for t in range(tools.mode.shape[0]):
-        if look and tools.mode[t] == TOUCHING:
-            if follow(surface, touch, tools, t, T, state, mean, lanes):
-                read_skin(surface, touch, t)  # friction is stretched by where the last correction leads
-        elif tools.mode[t] == GRASP:
-            feel_grasp(surface, touch, tools, t, T, state.position, mean, work.diagonal, False, lanes)
+    follow_all(surface, touch, tools, T, state, mean, work.diagonal, look, lanes)
     tell(touch, modal, lanes)
     if look and near and force is None:  # contacts do what the body asks for and nothing else gives
         free, contact = touch.given[0], touch.given[1]
