@@ -6,6 +6,7 @@ import tomllib
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
+from pkgutil import resolve_name
 from typing import Any, get_type_hints
 
 import pytest
@@ -28,6 +29,9 @@ MENTIONED = re.compile(r"`((?:cotouch|make|python) [^`\n]*)`")
 SAID_ABOVE = re.compile(r"^# {2,}((?:cotouch|make|python) .*)$", re.MULTILINE)
 EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
 OPTIONS = frozenset(get_type_hints(SessionFile)["options"].model_fields)
+GROUPS = frozenset(
+    f"cotouch.{kind}" for kind in ("contact_laws", "couplings", "devices", "materials")
+)  # of entry points
 # Names of other people's software.
 ELSEWHERE = frozenset({"HD_OUTPUT_DOF", "HD_CURRENT_TORQUE", "defer_build"})
 
@@ -94,10 +98,19 @@ def words() -> frozenset[str]:
     return frozenset(word for text in texts for word in re.findall(r"\w+", text))
 
 
+def exists(dotted: str) -> bool:
+    """Whether the package has a name such as `cotouch.laws.End`."""
+    try:
+        return resolve_name(dotted) is not None
+    except (ImportError, AttributeError):
+        return False
+
+
 def wrong_names(text: str) -> list[str]:
-    """Names in backticks that no source has, or that would be options of a session and are none."""
+    """Names in backticks that no source has, that the package does not export, or that are no option of a session."""
     names = re.findall(r"(?<!\$)`([A-Za-z_][\w.]*)`", text)
     gone = [name for name in names if "_" in name and not set(name.split(".")) - {""} <= words() | ELSEWHERE]
+    gone += [name for name in re.findall(r"`(cotouch(?:\.\w+)+)", text) if not (name in GROUPS or exists(name))]
     return gone + [name for name in names if re.fullmatch(r"session\.(?!py)\w+", name) and name[8:] not in OPTIONS]
 
 
@@ -112,8 +125,9 @@ def test_every_option_of_a_session_has_its_row():
 
 
 def test_a_name_that_is_gone_is_found():
-    text = "`stiffness_scale` `" + "stiffness" + "_portion` `session.margin` `session.gather` `$T_w$`"
-    assert wrong_names(text) == ["stiffness" + "_portion", "session.gather"]
+    text = "`stiffness_scale` `" + "stiffness" + "_portion` `session.margin` `session.gather` `$T_w$` "
+    text += "`cotouch.laws.laws()` `cotouch.laws.lost(1)`"
+    assert wrong_names(text) == ["stiffness" + "_portion", "cotouch.laws.lost", "session.gather"]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=name)

@@ -1,9 +1,9 @@
 """What the terminal says of a session's law."""
 
 from tests.cli.shown import table
+from tests.control.memory import MemoryControlNetwork
 from tests.live.support import identities
 
-from cotouch.control import MemoryControlNetwork
 from cotouch.members import Entry, LinkStatus, MemberState, SessionWatch, Status
 
 

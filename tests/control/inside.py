@@ -6,11 +6,13 @@ from cotouch.control._invitation import _check as check_of
 from cotouch.control._line import Line
 from cotouch.control._listening import is_ours
 from cotouch.control._pairs import PairTags
+from cotouch.control._presence import WINDOW
 from cotouch.control._sockets import sockets, tend_links
 from cotouch.control._zenoh import open_session
 from cotouch.control._zenoh_keys import sender_of, start_of
 
 __all__ = [
+    "WINDOW",
     "Introducer",
     "Line",
     "PairTags",

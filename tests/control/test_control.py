@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import pytest
+from tests.control.memory import MemoryControlNetwork
 from tests.live.support import entropy, identities
 
 from cotouch.control import (
@@ -15,7 +16,6 @@ from cotouch.control import (
     ControlRouter,
     Endpoint,
     Invitation,
-    MemoryControlNetwork,
     MessageRefusal,
     MessageWriter,
     Presence,

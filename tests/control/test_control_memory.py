@@ -1,9 +1,9 @@
 """What only the control plane in memory can do: delays and cuts at will, on a clock that is moved by hand."""
 
 import pytest
+from tests.control.memory import MemoryControl, MemoryControlNetwork
 from tests.live.support import identities
 
-from cotouch.control import MemoryControl, MemoryControlNetwork
 from cotouch.errors import SessionError
 from cotouch.samples import PathLaw
 

@@ -42,7 +42,7 @@ class Turned:
             end, wrist = self.link.core.turning, self.link.device.wrist
             if end is not None:
                 most = 2.0 * end.end.options.initial_energy + end.seen.bound
-                self.excess = max(self.excess, wrist.work + turning.work - most)
+                self.excess = max(self.excess, wrist.work + turning.end.work - most)
 
 
 def test_a_tool_follows_and_what_turns_it_is_the_couplings():
@@ -55,8 +55,8 @@ def test_a_tool_follows_and_what_turns_it_is_the_couplings():
     turning, did = run.link.core.turning, run.link.device.wrist.work
     assert did < -1e-3
     assert turning.seen.work == pytest.approx(did, rel=1e-9)
-    assert turning.end._end.number(END.work) == pytest.approx(did, rel=1e-9)
-    assert twisted.work == pytest.approx(run.work, rel=1e-12, abs=1e-15)
+    assert turning.end.number(END.work) == pytest.approx(did, rel=1e-9)
+    assert twisted.end.work == pytest.approx(run.work, rel=1e-12, abs=1e-15)
     assert run.residual < 1e-12
     run.run(0.5)
     assert not run.link.reports[-1].causes

@@ -6,6 +6,7 @@ import random
 from collections.abc import Callable
 
 import numpy as np
+from tests.samples.memory import MemoryNetwork
 
 from cotouch.samples import (
     Agreement,
@@ -14,7 +15,6 @@ from cotouch.samples import (
     Identity,
     Layout,
     LinkKeys,
-    MemoryNetwork,
     PathLaw,
     SampleCodec,
     SampleLink,

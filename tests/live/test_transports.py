@@ -7,9 +7,10 @@ from typing import NamedTuple
 import pytest
 from tests.live.internet import Exchange
 from tests.live.support import entropy, identities
+from tests.samples.memory import MemoryNetwork
 
 from cotouch.errors import SessionError, TransportError
-from cotouch.samples import MOST_BYTES, Address, Arrival, MemoryNetwork, Transport, UdpTransport
+from cotouch.samples import MOST_BYTES, Address, Arrival, Transport, UdpTransport
 from cotouch.traversal import ByRelay, RoutedTransport
 
 

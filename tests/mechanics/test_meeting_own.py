@@ -7,7 +7,7 @@ from tests.mechanics.materials import boxes
 from tests.mechanics.test_meeting import Several
 
 from cotouch.body import Body, Placed, body_from_surface, lattice, rigid_box, together
-from cotouch.mechanics import CLOSURE_ALARM, WORLD_STORED, Between, closed_settle, model
+from cotouch.mechanics import CLOSURE_ALARM, SHORTENED, WORLD_STORED, Between, closed_settle, model
 
 Float = npt.NDArray[np.float64]
 H = 0.01
@@ -101,6 +101,26 @@ def test_without_it_the_arms_pass_each_other() -> None:
         scene.run(1, 5e-4)
     assert scene.ledger[WORLD_STORED] == 0.0
     assert gap(scene) < -0.5 * H
+
+
+def test_what_is_as_deep_in_itself_as_it_may_come_is_pushed_back() -> None:
+    """Arms that still come nearer, at a speed that contact turns back within the step: nothing shortens that."""
+    scene = Several(clamp(1), between=Between(stiffness=1e7, own=True))
+    assert scene.force.world is not None
+    assert scene.force.world.bodies is not None
+    within, rest, (_, high) = scene.force.world.bodies.within[0], place(scene.body), arms(scene.body)
+    down, deep = np.zeros((scene.body.nodes, 3)), 0.7 * within
+    down[:, 2] = -np.clip((rest[:, 0] - 2 * H) / (4 * H), 0.0, 1.0) * high
+    for _ in range(3):
+        scene.state.position[:] = scene.rows((2 * H + deep) * down)
+        deep += (1.0 - 1e-6) * within - scene.deepest()
+    scene.state.velocity[:] = scene.rows(5.0 * down)
+    settled(scene)
+    assert scene.deepest() == pytest.approx(within, rel=1e-5)
+    before = gap(scene)
+    scene.run(1, 2e-3)
+    assert scene.ledger[SHORTENED] == 0.0
+    assert gap(scene) > before + 0.1 * H
 
 
 def test_the_same_parts_as_two_bodies_hold_the_same() -> None:

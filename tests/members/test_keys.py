@@ -1,10 +1,10 @@
 """Keys of a link over a slow control plane: renewed in time, and no more looked at than an honest end says."""
 
 import pytest
+from tests.control.memory import MemoryControl, MemoryControlNetwork
 from tests.live.support import entropy, identities
 from tests.members.inside import KeyExchange
 
-from cotouch.control import MemoryControl, MemoryControlNetwork
 from cotouch.samples import RENEW_EVERY, Agreement, Opened, SealedLink
 
 

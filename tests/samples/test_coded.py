@@ -7,6 +7,7 @@ import sys
 import numpy as np
 import pytest
 from tests.live.support import heading, layout, planes
+from tests.samples.memory import MemoryNetwork
 from tests.samples.test_fuzz import mutated
 
 from cotouch.errors import SessionError
@@ -21,7 +22,6 @@ from cotouch.samples import (
     Coded,
     CodedLink,
     Layout,
-    MemoryNetwork,
     PathLaw,
     Refusal,
     SampleCodec,

@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
+from tests.samples.memory import MemoryNetwork
 
 from cotouch.errors import SessionError
-from cotouch.samples import EmulatedPath, ImpairedTransport, MemoryNetwork, PathLaw
+from cotouch.samples import EmulatedPath, ImpairedTransport, PathLaw
 
 
 def fates(law: PathLaw, count: int = 20_000, seed: int = 0, size: int = 1000, period: float = 0.001):

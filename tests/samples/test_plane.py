@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from tests.live.support import SESSION, agree, agreements, entropy, identities, layout, planes, state_of
+from tests.samples.memory import MemoryNetwork
 
 from cotouch.body import lattice
 from cotouch.errors import SessionError
@@ -14,7 +15,6 @@ from cotouch.samples import (
     Agreement,
     Assembly,
     Identity,
-    MemoryNetwork,
     PathLaw,
     Refusal,
     SampleLink,

@@ -1,10 +1,14 @@
 """A session without processes, sockets or clocks: members on one virtual clock, over networks in memory."""
 
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import final
 
 import numpy as np
+from tests.control.memory import MemoryControl, MemoryControlNetwork
+from tests.samples.memory import MemoryNetwork, MemoryTransport
 
-from cotouch.control import MemoryControl, MemoryControlNetwork
+from cotouch.control import SignedMessage
 from cotouch.hands import CommandedHand, DeviceHand
 from cotouch.haptics import ServoLink
 from cotouch.mechanics import Model
@@ -14,7 +18,6 @@ from cotouch.members import (
     Hand,
     Host,
     Member,
-    MemoryPaths,
     NoHand,
     Planner,
     Replica,
@@ -26,7 +29,7 @@ from cotouch.members import (
     path_laws,
 )
 from cotouch.observers import CommandClient, MailboxFolder, TelemetryPublisher
-from cotouch.samples import Identity, ImpairedTransport, MemoryNetwork, MemoryTransport, PathLaw, Transport
+from cotouch.samples import Identity, ImpairedTransport, PathLaw, Transport
 
 _SERVICE = 0.02
 
@@ -34,6 +37,52 @@ _SERVICE = 0.02
 def entropy(seed: int):
     rng = np.random.default_rng(seed)
     return rng.bytes
+
+
+@final
+class MemoryPaths:
+    """Members of one process that know each other's addresses; for tests."""
+
+    def __init__(
+        self,
+        transport: Transport,
+        directory: Mapping[bytes, str],
+        *,
+        path: Callable[[str], float | None] = lambda address: None,
+    ) -> None:
+        """Wraps a transport.
+
+        Args:
+            transport: over a memory network.
+            directory: address of each member by its public key.
+            path: time there and back to an address [s].
+        """
+        self.transport = transport
+        self._directory = directory
+        self._path = path
+        self._at: dict[int, str] = {}
+
+    def introduce(self, slot: int, key: bytes) -> None:
+        """Follows it to its address.
+
+        Args:
+            slot: the user's.
+            key: public key of its member.
+        """
+        self._at[slot] = self._directory[key]
+        self.transport.follow(slot, self._at[slot])
+
+    def round_trip(self, slot: int) -> float | None:
+        """As it was told."""
+        return self._path(self._at[slot]) if slot in self._at else None
+
+    def take(self, message: SignedMessage) -> bool:
+        """Nothing is said about ways."""
+        return False
+
+    def path_state(self, slot: int) -> str:
+        """Always direct."""
+        return "direct"
 
 
 class Person:

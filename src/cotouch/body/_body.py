@@ -105,11 +105,9 @@ class Body:
         }
         full = any(matrix.shape[0] != nodes for matrix in matrices.values())
         rows = nodes * dimension if full else nodes
-        if full:
-            identity = sp.eye_array(dimension)
-            for name, matrix in matrices.items():
-                if matrix.shape[0] == nodes:
-                    matrices[name] = sp.csr_array(sp.kron(matrix, identity))
+        for name, matrix in matrices.items():
+            if full and matrix.shape[0] == nodes:
+                matrices[name] = sp.csr_array(sp.kron(matrix, sp.eye_array(dimension)))
         check_mass(matrices["mass"], dimension if full else 1)
         for name, matrix in matrices.items():
             if name in known:
@@ -118,24 +116,26 @@ class Body:
                 positive(name, matrix, strictly=False)
             elif name.endswith("_ext"):
                 diagonal(name, matrix)
-        for name in given:
-            object.__setattr__(self, name, matrices.get(name, sp.csr_array((rows, rows), dtype=np.float64)))
+        for name, value in {
+            **{name: matrices.get(name, sp.csr_array((rows, rows), dtype=np.float64)) for name in given},
+            "rest": shape,
+            "form": "full" if full else "node",
+            "skin": skin,
+            "origin": origin,
+            "truncation": truncation,
+            "material": material,
+            "parts": parts,
+        }.items():
+            object.__setattr__(self, name, value)
         check_rates(self.mass, self.stiffness_int, self.damping_int, dimension if full else 1)
-        object.__setattr__(self, "rest", shape)
-        object.__setattr__(self, "form", "full" if full else "node")
         if skin is not None:
             if dimension != 3:
                 raise BodyError(f"the body has {dimension} axes; a skin needs 3")
             skin.check(nodes)
-        object.__setattr__(self, "skin", skin)
-        object.__setattr__(self, "origin", origin)
-        object.__setattr__(self, "truncation", truncation)
         if material is not None:
             material.check(shape)
             if (material.model == "several") != bool(parts):
                 raise BodyError(f'model is "{material.model}" of a body of {len(parts)} parts; use `together` instead')
-        object.__setattr__(self, "material", material)
-        object.__setattr__(self, "parts", parts)
         more = np.array(places, dtype=np.float64).reshape(-1, 3)
         if more.size and not (self.rigid and np.isfinite(more).all()):
             raise BodyError("only rigid bodies have places that are not nodes, which must be finite; leave them out")

@@ -53,13 +53,9 @@ def run(path: Path, *, speed: float, start: float, stop: float | None, as_json: 
                 if time >= shown + speed / _REFRESH:
                     shown = time
                     live.update(_table(recording, row, time))
-        _print(_table(recording, row, time))
+        Console().print(_table(recording, row, time))
     if recording.broken is not None or recording.missing:
         sys.stderr.write(f"{_gaps(recording)}\n")
-
-
-def _print(table: Table) -> None:
-    Console().print(table)
 
 
 def _gaps(recording: Recording) -> str:

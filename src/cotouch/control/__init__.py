@@ -1,8 +1,7 @@
-"""What all members must agree on: invitations, signed messages, presence and files, over Zenoh or in memory."""
+"""What all members must agree on: invitations, signed messages, presence and files, over Zenoh."""
 
 from cotouch.control._certificates import TlsCertificates, make_certificates
 from cotouch.control._control import ControlPlane, Relayed, SignedMessage
-from cotouch.control._control_memory import MemoryControl, MemoryControlNetwork
 from cotouch.control._control_router import ControlRouter
 from cotouch.control._control_zenoh import ZenohControl
 from cotouch.control._invitation import Endpoint, Invitation
@@ -17,8 +16,6 @@ __all__ = [
     "ControlRouter",
     "Endpoint",
     "Invitation",
-    "MemoryControl",
-    "MemoryControlNetwork",
     "MessageReader",
     "MessageRefusal",
     "MessageWriter",

@@ -64,7 +64,7 @@ def make_certificates(invitation: Invitation, *, entropy: Entropy, now: float | 
         _begun(
             x509.Name([x509.NameAttribute(NameOID.COMMON_NAME, "member")]),
             issuer,
-            _serial(entropy),
+            int.from_bytes(entropy(16), "big") >> 1 | 1,
             (begins - _BEHIND, begins + _SESSION),
         )
         .public_key(own.public_key())
@@ -82,7 +82,3 @@ def _begun(
 ) -> x509.CertificateBuilder:
     builder = x509.CertificateBuilder().subject_name(subject).issuer_name(issuer).serial_number(serial)
     return builder.not_valid_before(valid[0]).not_valid_after(valid[1])
-
-
-def _serial(entropy: Entropy) -> int:
-    return int.from_bytes(entropy(16), "big") >> 1 | 1

@@ -60,13 +60,16 @@ class Coupling:
     def __post_init__(self) -> None:
         if self.law not in _OTHERS:
             installed_coupling(self.law, what="law", others=_OTHERS)
-        need("stiffness", self.stiffness, unit="N/m")
-        need("damping", self.damping, unit="Ns/m")
-        need("cap", self.cap, unit="J")
-        need("reserve", self.reserve, unit="J")
-        need("initial energy", self.initial_energy, unit="J")
-        need("assumed damping", self.assumed_damping)
-        need("ages", self.ages, unit="s")
+        for name, value, unit in (
+            ("stiffness", self.stiffness, "N/m"),
+            ("damping", self.damping, "Ns/m"),
+            ("cap", self.cap, "J"),
+            ("reserve", self.reserve, "J"),
+            ("initial energy", self.initial_energy, "J"),
+            ("assumed damping", self.assumed_damping, ""),
+            ("ages", self.ages, "s"),
+        ):
+            need(name, value, unit=unit)
         need("weight", self.weight, above=True)
         if not self.most > 0.0:
             raise DeviceError(f"most is {self.most:g} N; it must be above 0")

@@ -18,18 +18,14 @@ from cotouch.hands._led import LedTool
 from cotouch.hands._motion import Mover, Wander
 from cotouch.hands._posed import PosedTools
 from cotouch.hands._shown import write_hand
-from cotouch.mechanics import AWAY, Contact, Surface, Tools
-from cotouch.members import Slot, grips_of, no_ports
+from cotouch.mechanics import AWAY
+from cotouch.members import Slot, SlotHand, grips_of, no_ports
 from cotouch.observers import HandCommand, HandMode, size_of
 from cotouch.scenario import (
     RigidTool,
     Scenario,
-    after_step_alone,
-    before_step_alone,
     grip,
     ports_of,
-    tools_of,
-    touching_of,
     with_tools,
 )
 
@@ -65,8 +61,8 @@ def usual_stiffness(scenario: Scenario, slot: int) -> float:
 
 
 @final
-class CommandedHand:
-    """The hand of one slot; a `Hand`.
+class CommandedHand(SlotHand):
+    """The hand of one slot.
 
     Attributes:
         mode: what it does, see `HandMode`.
@@ -88,6 +84,7 @@ class CommandedHand:
             ScenarioError: a hand, tool or device of the file is wrong.
         """
         scenario, body, model, slot = at.scenario, at.body, at.model, at.index
+        super().__init__(model, slot)
         users, axes = scenario.network.size, body.dimension
         own = [hand for hand in scenario.hands if hand.user == slot + 1]
         self._hands, ports = ports_of(own, users, body, model)
@@ -106,7 +103,7 @@ class CommandedHand:
         self.nodes = [*self._scripted_nodes, *[self._node] * self._each]
         assert self.ports.row.size == first + self._each
         self._cursor, self._lanes = self._hands.path_first[:-1].copy(), model.lanes
-        self._body, self._model, self._axes, self._slot = body, model, axes, slot
+        self._body, self._model, self._axes = body, model, axes
         self._order = None if model.order is None else np.argsort(model.order)
         self.usual = usual_stiffness(scenario, slot)
         self._ratio = own[0].damping / self.usual if own and own[0].damping > 0.0 else _DAMPING
@@ -116,35 +113,17 @@ class CommandedHand:
         self._goal: list[float] = [0.0] * axes
         self._ball: Ball | None = None
         self._blade: Blade | None = None
-        self._touching = None
-        self.surface: Surface | None = None
-        self.tools: Tools | None = None
-        self.contact: Contact | None = None
         tables = [tool for tool in scenario.proxies if tool.user == slot + 1]
         skinned = body.skin is not None
         balls = [ball_table(slot, body, size=self._size, stiffness=self.usual)] if skinned else []
         cutting = body.cut_count > 0
         cutting &= scenario.cutting is None or scenario.cutting.may(slot + 1)
         blades = [blade_table(slot, body, size=self._size)] if cutting else []
-        if tables or balls or blades:
-            lengths = np.tile([at.period, at.longest], (users, 1))
-            still = np.zeros((users, body.nodes, axes))
-            self._touching, _ = touching_of(
-                [*tables, *balls, *blades],
-                users,
-                body,
-                model,
-                lengths,
-                start=still,
-                contact=scenario.contact,
-            )
-            assert self._touching is not None
-            self.contact = self._touching.contact
-            self.surface, self.tools = self._touching.surface, tools_of(self._touching, slot)
-            if balls:
-                self._ball = Ball(self._touching.tools, len(tables), body, slot, size=self._size)
-            if blades:
-                self._blade = Blade(self._touching.tools, len(tables) + len(balls), size=self._size)
+        touching = self._take_up(at, [*tables, *balls, *blades])
+        if touching is not None and balls:
+            self._ball = Ball(touching.tools, len(tables), body, slot, size=self._size)
+        if touching is not None and blades:
+            self._blade = Blade(touching.tools, len(tables) + len(balls), size=self._size)
         self._tabled = bool(tables)
         self._drawn = [t for t, tool in enumerate(tables) if tool.device is None]  # tools that no device moves
         self._blades = {t for t, tool in enumerate(tables) if tool.kind == "blade"}
@@ -188,8 +167,8 @@ class CommandedHand:
 
     def after(self) -> None:
         """Tells the devices of the file what came of the step."""
-        if self._touching is not None and self._tabled:
-            after_step_alone(self._touching, self._slot)
+        if self._tabled:
+            super().after()
 
     def show(self, fields: dict[str, npt.NDArray[Any]]) -> None:
         """Writes what it does into a mailbox's fields; see `view_fields`."""
@@ -248,7 +227,7 @@ class CommandedHand:
             self._posed.brake()
         if self._touching is None or not self._tabled:
             return
-        before_step_alone(self._touching, self._slot, end, T)
+        super().before(end, T)
         if fraction < 1.0:
             tools = self._touching.tools
             for t in self._drawn:

@@ -21,19 +21,15 @@ from cotouch.haptics import (
     ServoReport,
     Vector,
 )
-from cotouch.mechanics import Contact, EnergyMessage, Model, Surface, Tools, idle_ports, own_ports
-from cotouch.members import Slot, coupling_of_slot, device_tools, handles_of, no_ports
+from cotouch.mechanics import EnergyMessage, Model, idle_ports, own_ports
+from cotouch.members import Slot, SlotHand, coupling_of_slot, device_tools, handles_of, no_ports
 from cotouch.observers import size_of
 from cotouch.scenario import (
     HandTable,
     RigidToolTable,
     Scenario,
     ToolTable,
-    Touching,
-    before_step_alone,
     ports_of,
-    tools_of,
-    touching_of,
     with_tools,
 )
 
@@ -49,8 +45,8 @@ _WORKSPACE = 0.1
 
 
 @final
-class DeviceHand:
-    """What a person does with a device, or with one in each hand; a `Hand` that the copy attaches to its position.
+class DeviceHand(SlotHand):
+    """What a person does with a device, or with one in each hand; the copy attaches it to its position.
 
     Where a device is when it is heard first is where its proxy is then: nothing pulls at the start.
     """
@@ -72,32 +68,18 @@ class DeviceHand:
             DeviceError: the slot has no such tool, or a coupling does not fit its device.
         """
         scenario, body, model, slot = at.scenario, at.body, at.model, at.index
+        super().__init__(model, slot)
         links = [] if link is None else list(link) if isinstance(link, Sequence) else [link]
         wanted = _tools_wanted([one.said for one in links], slot)
-        self.nodes: list[int] = []
-        self.ports = no_ports(model)
-        self.surface: Surface | None = None
-        self.tools: Tools | None = None
-        self.contact: Contact | None = None
-        self._touching: Touching | None = None
-        self._slot = slot
         self._attached: list[GraspedNode | GraspedTool] = []
-        users = scenario.network.size
         own = device_tools(scenario, slot)
         rigid = [number for number, table in enumerate(own) if isinstance(table, RigidToolTable)]
         tables = _tables(own, body, slot, wanted)
         held: dict[int, Grasped] = {}
-        if tables:
-            still = np.zeros((users, body.nodes, body.dimension))
-            lengths = np.tile([at.period, at.longest], (users, 1))
-            self._touching, _ = touching_of(
-                list(tables.values()), users, body, model, lengths, start=still, contact=scenario.contact
-            )
-            assert self._touching is not None
-            self.surface, self.contact = self._touching.surface, self._touching.contact
-            self.tools = tools_of(self._touching, slot)
-            for k, (number, table) in enumerate(tables.items()):
-                held[number] = GraspedBall(self.tools, k, table.radius)
+        self._take_up(at, list(tables.values()))
+        for k, (number, table) in enumerate(tables.items()):
+            assert self.tools is not None
+            held[number] = GraspedBall(self.tools, k, table.radius)
         if rigid:
             led = [number for number in wanted if number in rigid] if links else []
             held |= self._hold_tools(scenario, body, model, rigid, led)
@@ -123,8 +105,7 @@ class DeviceHand:
             end: of the step [s].
             T: length of the step [s].
         """
-        if self._touching is not None:
-            before_step_alone(self._touching, self._slot, end, T)
+        super().before(end, T)
         for hold in self._holds:
             hold.before(T)
 
@@ -270,7 +251,7 @@ class _Hold:
             self._link.order(there, message)
             return
         twisted.after()
-        self._link.order(there, message, orientation=twisted.orientation, twist=twisted.message)
+        self._link.order(there, message, orientation=twisted.orientation, twist=twisted.end.message)
 
 
 def _scale(link: ServoLink, below: CouplingChoice, body: Body) -> float:

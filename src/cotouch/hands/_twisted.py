@@ -14,6 +14,7 @@ class Twisted:
     """The proxy's end of the coupling of turning. A scale does not matter to it: angles and torques have none.
 
     Attributes:
+        end: the law's.
         orientation: of the tool, in the device's frame; None: the device was never heard.
     """
 
@@ -25,19 +26,10 @@ class Twisted:
             options: of the coupling, as for places at the arm.
         """
         self.orientation: Quaternion | None = None
-        self._tool, self._end = tool, TurningProxyEnd(options)
+        self.end = TurningProxyEnd(options)
+        self._tool = tool
         self._frame: Quaternion | None = None  # from the device's orientation to the tool's
         self._heard = EnergyMessage()
-
-    @property
-    def message(self) -> EnergyMessage:
-        """For the device's end."""
-        return self._end.message
-
-    @property
-    def work(self) -> float:
-        """That turned the tool so far [J]."""
-        return self._end.work
 
     def before(self, report: ServoReport | None, T: float) -> None:
         """Turns the tool towards the device in the coming step.
@@ -51,10 +43,10 @@ class Twisted:
             if self._frame is None:
                 self._frame = product(back(report.orientation), here)
             goal, spin, self._heard = product(report.orientation, self._frame), report.spin, report.twist
-        self._tool.twist(self._end.twist(here, goal, spin, self._heard, T))
+        self._tool.twist(self.end.twist(here, goal, spin, self._heard, T))
 
     def after(self) -> None:
         """Books the step."""
-        self._end.settle(self._tool.twisted())
+        self.end.book(self._tool.twisted())
         if self._frame is not None:
             self.orientation = product(self._tool.orientation(), back(self._frame))

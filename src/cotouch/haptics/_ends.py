@@ -74,12 +74,12 @@ def checked(options: EndOptions, spec: DeviceSpec) -> EndOptions:
     return options
 
 
-@final
 class _End:
     """One end: its row, and the law's function for it."""
 
     def __init__(self, options: EndOptions, *, proxy: bool) -> None:
-        self.rows = end_row(
+        self.options = options
+        self._rows = end_row(
             stiffness=options.stiffness,
             damping=options.damping,
             cap=options.cap,
@@ -91,11 +91,11 @@ class _End:
             most=options.most,
             latency=0 if proxy else _LATENCY,
         )[None, :]
-        self.row = self.rows[0]
-        self.law = installed_coupling(options.law)
-        self._run = self.law.half(proxy=proxy)
+        self._row = self._rows[0]
+        self._law = installed_coupling(options.law)
+        self._half = self._law.half(proxy=proxy)
 
-    def run(
+    def _run(
         self, place: Vector, desired: Vector | None, rate: Vector, message: EnergyMessage, T: float
     ) -> tuple[float, float, Vector, Vector]:
         """What the law lets act: spring, damper, stretch and push.
@@ -107,22 +107,32 @@ class _End:
             message: of the other end.
             T: length of the tick or step [s].
         """
-        row = self.row
+        row = self._row
         hear(row, message)
         gap = ZERO if desired is None else less(desired, place)
         known = desired is not None and isfinite(norm(gap)) and isfinite(norm(rate))
         row[END.T : END.acting] = (T, known, *(gap if known else ZERO), *(rate if isfinite(norm(rate)) else ZERO))
-        self._run(row)
+        self._half(row)
         spring, brake, x, y, z, a, b, c = row[END.spring : END.held].tolist()
         return spring, brake, (x, y, z), (a, b, c)
 
     def number(self, field: int) -> float:
         """One of the row."""
-        return self.row.item(field)
+        return self._row.item(field)
+
+    @property
+    def fraction(self) -> float:
+        """How far the set position followed the desired one in the last tick or step."""
+        return self.number(END.fraction)
+
+    @property
+    def message(self) -> EnergyMessage:
+        """For the other end."""
+        return message_of(self._row)
 
 
 @final
-class DeviceEnd:
+class DeviceEnd(_End):
     """The servo's end of a coupling: measured positions in, forces out.
 
     Attributes:
@@ -142,40 +152,29 @@ class DeviceEnd:
             radius: beyond which the wall's spring leads back [m].
             wall: its stiffness [N/m].
         """
-        self.options = options
+        super().__init__(options, proxy=False)
         self.place: Vector | None = None
-        self._end = _End(options, proxy=False)
         self._port, self._wall = MotorPort(resolution=resolution, lever=lever), Wall(radius, wall)
         slope = max(options.stiffness, wall) + options.damping / WINDOW
         # What acts a tick late swings twice as far.
-        self._rest = Rest(resolution, (1 + _LATENCY) * slope if self._end.law.rests else 0.0)
+        self._rest = Rest(resolution, (1 + _LATENCY) * slope if self._law.rests else 0.0)
         self._coming = 0.0  # energy of the springs behind the force that acts next
 
     @property
     def start(self) -> float:
         """What the motors may give that nobody gave them: the initial energy, of a pool both [J]."""
-        return (2.0 if self._end.law.pools else 1.0) * self.options.initial_energy
+        return (2.0 if self._law.pools else 1.0) * self.options.initial_energy
 
     @property
     def due(self) -> float:
         """What the motors may have given of what others brought: the proxy's end, and friction [J]."""
-        energy, work, lost = (self._end.number(field) for field in (END.energy, END.work, END.lost))
+        energy, work, lost = (self.number(field) for field in (END.energy, END.work, END.lost))
         return energy + work + lost - self.options.initial_energy
 
     @property
     def paid(self) -> float:
         """What the device's own friction took, by measured places [J]."""
-        return self._end.number(END.paid)
-
-    @property
-    def fraction(self) -> float:
-        """How far the set position followed the desired position in the last tick."""
-        return self._end.number(END.fraction)
-
-    @property
-    def message(self) -> EnergyMessage:
-        """For the other end."""
-        return message_of(self._end.row)
+        return self.number(END.paid)
 
     def measure(self, place: Vector, commanded: Vector, said: Vector | None = None, T: float = 0.0) -> None:
         """Books the tick that has passed.
@@ -193,8 +192,8 @@ class DeviceEnd:
             # An encoder may have seen more motion than there was.
             sure = max(0.0, did.moved - self._port.resolution)
             paid = self.options.friction * sure * sure / T if T > 0.0 else 0.0
-            book_end(self._end.rows, 0, did.work, paid, did.charge)
-        self._end.row[END.acting] = self._coming
+            book_end(self._rows, 0, did.work, paid, did.charge)
+        self._row[END.acting] = self._coming
 
     def decide(self, desired: Vector | None, rate: Vector, message: EnergyMessage, T: float) -> Vector:
         """The force that the coupling wants.
@@ -210,13 +209,12 @@ class DeviceEnd:
         """
         place = self.place
         assert place is not None, "measure first"
-        end = self._end
-        energy = end.number(END.energy)
-        wall = self._wall.pull(place, min(energy - end.number(END.acting), 0.5 * energy))
-        end.row[END.kept] = self._wall.energy
-        spring, brake, stretch, push = end.run(place, desired, rate, message, T)
-        self._coming = self._wall.energy + end.number(END.held)
-        if end.number(END.energy) < -self.options.reserve:
+        energy = self.number(END.energy)
+        wall = self._wall.pull(place, min(energy - self.number(END.acting), 0.5 * energy))
+        self._row[END.kept] = self._wall.energy
+        spring, brake, stretch, push = self._run(place, desired, rate, message, T)
+        self._coming = self._wall.energy + self.number(END.held)
+        if self.number(END.energy) < -self.options.reserve:
             return ZERO
         return plus(plus(wall, plus(scaled(-brake, rate), push)), scaled(spring, stretch))
 
@@ -229,7 +227,7 @@ class DeviceEnd:
             force: largest [N].
         """
         options = self.options
-        return (1 + _LATENCY) * self._end.law.bound(
+        return (1 + _LATENCY) * self._law.bound(
             HeldForce(
                 stiffness=options.stiffness + self._wall.stiffness,
                 damping=options.damping,
@@ -258,8 +256,7 @@ class Pull(NamedTuple):
     push: Vector
 
 
-@final
-class ProxyEnd:
+class ProxyEnd(_End):
     """The peer's end of a coupling, for an implicit step as `cotouch.mechanics` takes it.
 
     Attributes:
@@ -272,28 +269,17 @@ class ProxyEnd:
         Args:
             options: of the coupling.
         """
-        self.options = options
-        self._end = _End(options, proxy=True)
+        super().__init__(options, proxy=True)
 
     @property
     def energy(self) -> float:
         """In the tank, springs included [J]."""
-        return self._end.number(END.energy)
+        return self.number(END.energy)
 
     @property
     def work(self) -> float:
         """On the proxy so far [J]."""
-        return self._end.number(END.work)
-
-    @property
-    def fraction(self) -> float:
-        """How far the set position followed the device in the last step."""
-        return self._end.number(END.fraction)
-
-    @property
-    def message(self) -> EnergyMessage:
-        """For the other end."""
-        return message_of(self._end.row)
+        return self.number(END.work)
 
     def pull(self, place: Vector, desired: Vector | None, rate: Vector, message: EnergyMessage, T: float) -> Pull:
         """What pulls the proxy in the coming step.
@@ -305,7 +291,7 @@ class ProxyEnd:
             message: of the device's end.
             T: length of the step [s].
         """
-        spring, brake, stretch, push = self._end.run(place, desired, rate, message, T)
+        spring, brake, stretch, push = self._run(place, desired, rate, message, T)
         return Pull(spring, brake, plus(place, stretch), push)
 
     def settle(self, force: Vector, moved: Vector) -> None:
@@ -323,4 +309,4 @@ class ProxyEnd:
         Args:
             work: done on the proxy [J].
         """
-        book_end(self._end.rows, 0, work, 0.0, 0.0)
+        book_end(self._rows, 0, work, 0.0, 0.0)

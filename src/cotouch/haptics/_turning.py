@@ -138,26 +138,8 @@ class Twist(NamedTuple):
 
 
 @final
-class TurningProxyEnd:
-    """The peer's end of turning."""
-
-    def __init__(self, options: EndOptions) -> None:
-        """Relaxed.
-
-        Args:
-            options: of the coupling, at the arm.
-        """
-        self._end = ProxyEnd(options)
-
-    @property
-    def work(self) -> float:
-        """Of this end on the proxy so far [J]."""
-        return self._end.work
-
-    @property
-    def message(self) -> EnergyMessage:
-        """For the other end."""
-        return self._end.message
+class TurningProxyEnd(ProxyEnd):
+    """The peer's end of turning; its options are at the arm."""
 
     def twist(self, here: Quaternion, goal: Quaternion | None, spin: Vector, message: EnergyMessage, T: float) -> Twist:
         """What turns the proxy in the coming step.
@@ -170,7 +152,7 @@ class TurningProxyEnd:
             T: length of the step [s].
         """
         gap = None if goal is None else scaled(ARM, way_back(goal, here))
-        pull = self._end.pull(ZERO, gap, scaled(ARM, spin), message, T)
+        pull = self.pull(ZERO, gap, scaled(ARM, spin), message, T)
         square = ARM * ARM
         return Twist(
             stiffness=square * pull.stiffness,
@@ -178,11 +160,3 @@ class TurningProxyEnd:
             turn=scaled(1.0 / ARM, pull.target),
             push=scaled(ARM, pull.push),
         )
-
-    def settle(self, work: float) -> None:
-        """Books the step.
-
-        Args:
-            work: done on the proxy [J].
-        """
-        self._end.book(work)

@@ -104,11 +104,9 @@ def compare(
         raise ScenarioError(problems[0] if problems else "the study has no run that is stable")
     maps = _mapped(study, found, named)
     results = {place: scored[key] for place, key in asked.items()}
-    data = _gathered(study, tunings, results, found, maps)
-    data.attrs["problems"] = json.dumps(problems)
-    data.attrs["study"] = study.model_dump_json()
-    data.attrs["version"] = __version__
-    return data
+    return _gathered(study, tunings, results, found, maps).assign_attrs(
+        problems=json.dumps(problems), study=study.model_dump_json(), version=__version__
+    )
 
 
 def _tuned(study: Study, held: Mapping[str, list[str]], named: _Named) -> dict[tuple[str, str], TunedSettings]:
@@ -153,9 +151,11 @@ def _mapped(study: Study, found: Mapping[tuple[str, str], TunedSettings], named:
 def _part(study: Study, law: LawTable, network: NetworkTable, users: int, *, tuning: bool = False) -> dict[str, Any]:
     """All of a study that a cell follows from, and nothing else, so that a change elsewhere costs nothing."""
     whole = study.model_dump(mode="json", exclude={"title", "ours", "map"})
-    whole["laws"] = [law.model_dump(mode="json", exclude=None if law.replica else {"replica"})]
-    whole["networks"] = [network.model_dump(mode="json", exclude={"tuned_on"})]
-    whole["users"] = [users]
+    whole |= {
+        "laws": [law.model_dump(mode="json", exclude=None if law.replica else {"replica"})],
+        "networks": [network.model_dump(mode="json", exclude={"tuned_on"})],
+        "users": [users],
+    }
     if tuning:
         whole["draws"] = 2
     else:
@@ -327,8 +327,6 @@ def _gathered(
     }
     for name, (unit, meaning) in FELT.items():
         data[f"felt_{name}"] = (axes, felt[name], {"units": unit, "long_name": meaning})
-    data["dangerous"] = ((*axes, "hand"), risky, {"long_name": "1 if a push does not die away"})
-    data["loose"] = (axes, untied, {"long_name": "1 if copies that nobody holds drive each other apart"})
     settings = [
         [
             [json.dumps(found[law, n.tuned_on or n.name]["settings"].get(tuning)) for n in study.networks]
@@ -336,14 +334,17 @@ def _gathered(
         ]
         for law in laws
     ]
-    data["setting"] = (axes[:3], np.array(settings, dtype=np.str_))
-    facts = [sizes(study, law) for law in study.laws]
-    data["bytes"] = ("law", np.array([float(fact["bytes"]) for fact in facts]), {"units": "B"})
-    data["promises"] = ("law", np.array([float(fact["promises"]) for fact in facts]))
-    data["sends"] = ("law", np.array([", ".join(fact["sends"]) for fact in facts], dtype=np.str_))
-    data["source"] = ("law", np.array([fact["source"] for fact in facts], dtype=np.str_))
-    taken = [law_time(study, law) for law in study.laws]
-    data["time"] = ("law", np.array(taken), {"units": "s", "long_name": "of an end and step, beyond a spring's"})
+    facts, taken = [sizes(study, law) for law in study.laws], [law_time(study, law) for law in study.laws]
+    data |= {
+        "dangerous": ((*axes, "hand"), risky, {"long_name": "1 if a push does not die away"}),
+        "loose": (axes, untied, {"long_name": "1 if copies that nobody holds drive each other apart"}),
+        "setting": (axes[:3], np.array(settings, dtype=np.str_)),
+        "bytes": ("law", np.array([float(fact["bytes"]) for fact in facts]), {"units": "B"}),
+        "promises": ("law", np.array([float(fact["promises"]) for fact in facts])),
+        "sends": ("law", np.array([", ".join(fact["sends"]) for fact in facts], dtype=np.str_)),
+        "source": ("law", np.array([fact["source"] for fact in facts], dtype=np.str_)),
+        "time": ("law", np.array(taken), {"units": "s", "long_name": "of an end and step, beyond a spring's"}),
+    }
     coordinates: dict[str, object] = {
         "law": laws,
         "tuning": tunings,

@@ -127,8 +127,7 @@ def fronts(data: "xr.Dataset", users: int, across: str) -> "Figure":
             )
         panel.set_title(escaped(network))
         panel.margins(x=0.12)
-        panel.set_yscale("log")
-        panel.set_ylabel("position error / mm" if panel in panels[:, 0] else "")
+        panel.set(yscale="log", ylabel="position error / mm" if panel in panels[:, 0] else "")
         panel.yaxis.set_major_formatter(_short)
         panel.yaxis.set_minor_formatter(_nothing)
         if across == "made":

@@ -50,7 +50,8 @@ def write_report(data: "xr.Dataset", path: Path) -> Path:
         if "map_cost" in data:
             sections.append(_maps(data))
         sections += [*_fronts(data, study), _price(data), _method(data, study)]
-    html = page(title=study.title, lead=_lead(data, study), sections=sections, footer=_footer(data))
+    footer = f"cotouch {escape(data.attrs['version'])}. All numbers are in results.nc beside this page."
+    html = page(title=study.title, lead=_lead(data, study), sections=sections, footer=footer)
     write(path, html.encode("utf-8"), "report")
     return path
 
@@ -273,10 +274,12 @@ def _maps(data: "xr.Dataset") -> Section:
         "<b>Cost over delay and stiffness of two users' hands.</b> Crossed cells are dangerous: a push grows, or goes "
         "on for ever. The line shows where that begins."
     )
-    body = figure(maps(data), "danger", caption, "Maps of cost over delay and stiffness, one for each law.")
-    body += f"<p>The largest one-way delay up to which no case was found dangerous, in ms:</p>{table(head, lines)}"
-    body += "<p>If both hold still, at different places: the speed of copies in the last fifth of a run, the most at "
-    body += f"any delay, in mm/s:</p>{table(head, moving)}"
+    drawn = figure(maps(data), "danger", caption, "Maps of cost over delay and stiffness, one for each law.")
+    body = (
+        f"{drawn}<p>The largest one-way delay up to which no case was found dangerous, in ms:</p>{table(head, lines)}"
+        "<p>If both hold still, at different places: the speed of copies in the last fifth of a run, the most at "
+        f"any delay, in mm/s:</p>{table(head, moving)}"
+    )
     return Section(anchor="danger-maps", title="Where laws become dangerous", body=body)
 
 
@@ -370,7 +373,3 @@ def _method(data: "xr.Dataset", study: Study) -> Section:
         + (f"<p>What could not run:</p><ul>{left}</ul>" if left else "")
         + f"<h3>Settings</h3>{table(['law', 'network', 'multiples of the defaults'], rows, text=(0, 1, 2))}",
     )
-
-
-def _footer(data: "xr.Dataset") -> str:
-    return f"cotouch {escape(data.attrs['version'])}. All numbers are in results.nc beside this page."

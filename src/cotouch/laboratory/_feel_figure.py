@@ -33,12 +33,11 @@ def impedance_figure(found: "xr.Dataset", path: Path) -> Path:
             if np.isfinite(z).any():
                 above.loglog(frequency, np.abs(z), label=kind, markersize=3.5, **look)
                 below.semilogx(frequency, np.degrees(np.angle(z)), markersize=3.5, **look)
-        above.set_title(
-            f"What user {found.attrs['user']} feels, law {found.attrs['law']}, others {found.attrs['others']}"
+        above.set(
+            title=f"What user {found.attrs['user']} feels, law {found.attrs['law']}, others {found.attrs['others']}",
+            ylabel="|f/v| [Ns/m]",
         )
-        above.set_ylabel("|f/v| [Ns/m]")
         above.legend()
-        below.set_ylabel("phase [°]")
-        below.set_xlabel("frequency [Hz]")
+        below.set(ylabel="phase [°]", xlabel="frequency [Hz]")
         write(path, drawn(figure, dpi=160), "figure")
     return path

@@ -57,7 +57,7 @@ def ideal(study: Study, hands: Hands) -> Ideal:
     found = _run(study, body, hands)
     with _lock:
         _known[key] = found
-        while sum(_size(kept) for kept in _known.values()) > _ROOM:
+        while sum(kept.place.nbytes + kept.force.nbytes for kept in _known.values()) > _ROOM:
             _known.popitem(last=False)
     return found
 
@@ -83,10 +83,6 @@ def digest(body: Body) -> str:
         for part in (matrix.data, matrix.indices, matrix.indptr):
             found.update(np.ascontiguousarray(part).tobytes())
     return found.hexdigest()
-
-
-def _size(kept: Ideal) -> int:
-    return int(kept.place.nbytes + kept.force.nbytes)
 
 
 def places(outcome: Outcome) -> Float:

@@ -40,7 +40,7 @@ from cotouch.mechanics._state import SHORTENED, SUPPLIED, Links, Ports, State, W
 from cotouch.mechanics._step import book_energies, move, port_work
 from cotouch.mechanics._surface import Surface
 from cotouch.mechanics._tools import GRASP, TOUCH_LOSS, TOUCHED, TOUCHING, Tools
-from cotouch.mechanics._vector import load, splat, store, total
+from cotouch.mechanics._vector import load, store
 
 # Of the work between tools and a linear body in a step, so much may be left to the next.
 _LEFT = 1e-6
@@ -54,21 +54,6 @@ _PARTS, _SHARE = 24, 1e-4
 _SHORT = 0.9
 # What a search may miss of the motion: first, and where that does not close the step.
 _ENOUGH = (1e-4, 1e-6)
-
-
-@part
-def dot_rows(first: Float, second: Float, lanes: tuple[int, ...]) -> float:
-    """`Σ firstᵀ second` over all rows.
-
-    Args:
-        first: (rows, width).
-        second: likewise.
-        lanes: fixes the width of a row.
-    """
-    result = splat(0.0, lanes)
-    for i in range(first.shape[0]):
-        result = result + load(first, i, lanes) * load(second, i, lanes)
-    return total(result)
 
 
 @part

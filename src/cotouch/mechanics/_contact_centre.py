@@ -17,6 +17,7 @@ from cotouch.mechanics._contact_skin import fastest, read_rates
 from cotouch.mechanics._contact_sweep import first_crossing
 from cotouch.mechanics._contact_work import ContactWork
 from cotouch.mechanics._direction import predict
+from cotouch.mechanics._direction_combined import dot_rows
 from cotouch.mechanics._direction_missing import lack_ports, miss
 from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._kernel import inner, part
@@ -94,10 +95,7 @@ def go_about(
         _level(op, ports, tools, touch, None, 0, work, lanes)
         miss(op, work.diagonal, work.rhs, work, touch.asked, lanes)
         lack_ports(ports, work, touch.asked)
-        lack = splat(0.0, lanes)
-        for i in range(work.mean.shape[0]):
-            lack = lack + load(work.mean, i, lanes) * load(touch.asked, i, lanes)
-        did = -total(lack)
+        did = -dot_rows(work.mean, touch.asked, lanes)
     else:
         for number in range(_looks(force.world)):
             predict(op, force, state, T, True, work, lanes)
@@ -225,19 +223,11 @@ def lose_motion(
     whole, spot, velocity = touch.whole, touch.spot, state.velocity
     before = multiply(op, MASS, op.mass, velocity, touch.asked, lanes)
     for a in range(3):
-        momentum = splat(0.0, lanes)
-        for i in range(velocity.shape[0]):
-            if _touched(parts, i):
-                momentum = momentum + load(whole[a], i, lanes) * load(touch.asked, i, lanes)
-        spot[0, a] = op.copy_scale * total(momentum)
+        spot[0, a] = op.copy_scale * _of_touched(parts, whole[a], touch.asked, lanes)
     own = 0.0
     for a in range(3):
         multiply(op, MASS, op.mass, whole[a], touch.asked, lanes)
-        mass = splat(0.0, lanes)
-        for i in range(velocity.shape[0]):
-            if _touched(parts, i):
-                mass = mass + load(whole[a], i, lanes) * load(touch.asked, i, lanes)
-        spot[1, a] = op.copy_scale * total(mass)
+        spot[1, a] = op.copy_scale * _of_touched(parts, whole[a], touch.asked, lanes)
     for t in range(tools.mode.shape[0]):
         if touch.caught[t, 4] != 0.0:
             own += tools.mass[t]
@@ -289,6 +279,16 @@ def _touched(parts: Parts | None, i: int) -> bool:
 
 
 @part
+def _of_touched(parts: Parts | None, first: Float, second: Float, lanes: tuple[int, ...]) -> float:
+    """`Σ firstᵀ second` over rows of what tools touch."""
+    result = splat(0.0, lanes)
+    for i in range(first.shape[0]):
+        if _touched(parts, i):
+            result = result + load(first, i, lanes) * load(second, i, lanes)
+    return total(result)
+
+
+@part
 def _level(
     op: Operator,
     ports: Ports,
@@ -311,11 +311,7 @@ def _level(
         _resists(op, ports, touch, parts, 2, 2, work, lanes),
     )
     for a in range(3):
-        lacks = splat(0.0, lanes)
-        for i in range(work.mean.shape[0]):
-            if _touched(parts, i):
-                lacks = lacks + load(whole[a], i, lanes) * load(touch.asked, i, lanes)
-        spot[2, a] = total(lacks)
+        spot[2, a] = _of_touched(parts, whole[a], touch.asked, lanes)
     own = 0.0
     for t in range(tools.mode.shape[0]):
         if touch.caught[t, 4] != 0.0:

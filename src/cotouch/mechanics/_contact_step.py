@@ -11,7 +11,7 @@ from typing import Any
 from cotouch.arrays import Float, Int
 from cotouch.mechanics._absent import hide_away
 from cotouch.mechanics._balance_parts import hold_parts
-from cotouch.mechanics._contact_balance import balanced, dot_rows
+from cotouch.mechanics._contact_balance import balanced
 from cotouch.mechanics._contact_catch import begin_catch, catch
 from cotouch.mechanics._contact_centre import JAMMED, lose_motion
 from cotouch.mechanics._contact_near import correct_near, empty_rows, forget_rows, tell
@@ -33,6 +33,7 @@ from cotouch.mechanics._contact_sweep import NEVER, first_crossing
 from cotouch.mechanics._contact_work import Contact, ContactWork
 from cotouch.mechanics._debris import drop_debris, free_debris
 from cotouch.mechanics._direction import begin_looks, level, predict
+from cotouch.mechanics._direction_combined import dot_rows
 from cotouch.mechanics._direction_missing import hold_ports
 from cotouch.mechanics._direction_more import MOST_LOOKS, leaves_little, rough
 from cotouch.mechanics._fit import refit

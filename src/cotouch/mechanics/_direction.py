@@ -1,7 +1,7 @@
 """Where a closed step goes: looks ahead by the true mean force, each corrected by the constant matrix."""
 
 from cotouch.arrays import Float
-from cotouch.mechanics._direction_combined import combine_looks, missing_power
+from cotouch.mechanics._direction_combined import combine_looks, dot_rows
 from cotouch.mechanics._direction_missing import (
     add_momentum,
     hold_ports,
@@ -87,7 +87,7 @@ def direct(
     if number >= 0 and force.parts is None and work.dense.shape[0] == 0:
         missed = combine_looks(state, T, number, work, lanes)
     elif number > 0 and work.dense.shape[0] == 0:
-        missed = missing_power(work, lanes)
+        missed = dot_rows(work.mean, work.rhs, lanes)  # as `combine_looks` returns it
     change, moving = _corrected(op, force, state, ports, T, 0.0, True, work, ledger, tolerance, cap, lanes)
     return change, moving, missed
 

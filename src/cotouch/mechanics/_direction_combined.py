@@ -6,6 +6,7 @@ was needed: they are the steps of conjugate gradients with that matrix as precon
 have the momentum of the forces has it, too.
 """
 
+from cotouch.arrays import Float
 from cotouch.mechanics._kernel import part
 from cotouch.mechanics._state import State, Workspace
 from cotouch.mechanics._vector import load, splat, store, total
@@ -88,14 +89,15 @@ def combine_looks(state: State, T: float, number: int, work: Workspace, lanes: t
 
 
 @part
-def missing_power(work: Workspace, lanes: tuple[int, ...]) -> float:
-    """What `combine_looks` returns, of looks that are not combined.
+def dot_rows(first: Float, second: Float, lanes: tuple[int, ...]) -> float:
+    """`Σ firstᵀ second` over all rows.
 
     Args:
-        work: `mean` is v̂, `rhs` what it misses.
+        first: (rows, width).
+        second: likewise.
         lanes: fixes the width of a row.
     """
-    power = splat(0.0, lanes)
-    for i in range(work.mean.shape[0]):
-        power = power + load(work.mean, i, lanes) * load(work.rhs, i, lanes)
-    return total(power)
+    result = splat(0.0, lanes)
+    for i in range(first.shape[0]):
+        result = result + load(first, i, lanes) * load(second, i, lanes)
+    return total(result)

@@ -158,10 +158,15 @@ def _beside(m: Meeting, p: int, f: int) -> bool:
 
 @part
 def _far_side(m: Meeting, e: int, out: Float, col: int) -> None:
-    """A point of a body's own skin that is deeper behind it than another part could come looks at its far side."""
+    """A point of a body's own skin that is deeper behind it than another part could come looks at its far side.
+
+    One that the step would bring there from the near side is pushed back as by that depth, though no step may end so:
+    if it met nothing there, looks would have it shoot through, and it stood still with all that is held.
+    """
     within = at(m.within, at(m.part, at(m.point, e)))
     if at(m.other, e) == at(m.part, at(m.point, e)) and at(out, (e, 0)) > within:
-        put(out, (e, 0), -at(out, (e, 0)))
+        if col == 0 or at(m.began, (e, 0)) <= 0.0:
+            put(out, (e, 0), -at(out, (e, 0)))
         put(m.face, (e, col + 1), FAR_SIDE)
 
 

@@ -6,7 +6,7 @@ from cotouch.members._device_table import coupling_of_slot, device_tools
 from cotouch.members._emulate import path_laws
 from cotouch.members._felt import LawFelt, law_felt, margin_of
 from cotouch.members._file import MOST_USERS, SessionFile
-from cotouch.members._hand import Hand, NoHand, ScriptedHand, Slot, grips_of, handles_of, no_ports
+from cotouch.members._hand import Hand, NoHand, ScriptedHand, Slot, SlotHand, grips_of, handles_of, no_ports
 from cotouch.members._host import Host
 from cotouch.members._links import delays_of, present_links
 from cotouch.members._live_law import LiveLaw
@@ -29,7 +29,7 @@ from cotouch.members._messages import (
 )
 from cotouch.members._pace import Pace, pace_numbers
 from cotouch.members._part import Participation, ParticipationOutcome
-from cotouch.members._paths import MemoryPaths, Paths, RoutedPaths
+from cotouch.members._paths import Paths, RoutedPaths
 from cotouch.members._replica import Replica
 from cotouch.members._session_recorder import SessionRecorder
 from cotouch.members._shared_model import SharedModel
@@ -58,7 +58,6 @@ __all__ = [
     "LiveLaw",
     "Member",
     "MemberState",
-    "MemoryPaths",
     "NameOwner",
     "NoHand",
     "Pace",
@@ -77,6 +76,7 @@ __all__ = [
     "SessionWatch",
     "SharedModel",
     "Slot",
+    "SlotHand",
     "Status",
     "StepRecorder",
     "addresses_of",

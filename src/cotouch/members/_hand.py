@@ -14,6 +14,8 @@ from cotouch.members._file import SessionFile
 from cotouch.members._shared_model import SharedModel
 from cotouch.scenario import (
     Scenario,
+    ToolTable,
+    Touching,
     after_step_alone,
     before_step_alone,
     grip,
@@ -153,8 +155,55 @@ def handles_of(body: Body, slot: int) -> list[list[int]]:
     return found
 
 
+class SlotHand:
+    """What hands of a slot have in common: nothing in the beginning, then the tools that they take up; a `Hand`."""
+
+    def __init__(self, model: Model, slot: int) -> None:
+        """Holds nothing.
+
+        Args:
+            model: the body.
+            slot: the user's.
+        """
+        self.nodes: list[int] = []
+        self.ports = no_ports(model)
+        self.surface: Surface | None = None
+        self.tools: Tools | None = None
+        self.contact: Contact | None = None
+        self._touching: Touching | None = None
+        self._slot = slot
+
+    def _take_up(self, at: Slot, tables: list[ToolTable], numbers: Sequence[int] | None = None) -> Touching | None:
+        """Takes up tools, by their numbers among all of the file, for messages; None where there are none."""
+        users, body = at.scenario.network.size, at.body
+        still = np.zeros((users, body.nodes, body.dimension))
+        lengths = np.tile([at.period, at.longest], (users, 1))
+        self._touching, _ = touching_of(
+            tables, users, body, at.model, lengths, start=still, contact=at.scenario.contact, numbers=numbers
+        )
+        if self._touching is not None:
+            self.surface, self.contact = self._touching.surface, self._touching.contact
+            self.tools = tools_of(self._touching, self._slot)
+        return self._touching
+
+    def before(self, end: float, T: float) -> None:
+        """Has its tools do what they do in this step.
+
+        Args:
+            end: of the step [s].
+            T: length of the step [s].
+        """
+        if self._touching is not None:
+            before_step_alone(self._touching, self._slot, end, T)
+
+    def after(self) -> None:
+        """Tells simulated devices what came of the step."""
+        if self._touching is not None:
+            after_step_alone(self._touching, self._slot)
+
+
 @final
-class NoHand:
+class NoHand(SlotHand):
     """Takes part without touching anything."""
 
     def __init__(self, model: Model) -> None:
@@ -163,26 +212,11 @@ class NoHand:
         Args:
             model: the body.
         """
-        self.nodes: list[int] = []
-        self.ports = no_ports(model)
-        self.surface: Surface | None = None
-        self.tools: Tools | None = None
-        self.contact: Contact | None = None
-
-    def before(self, end: float, T: float) -> None:
-        """Does nothing.
-
-        Args:
-            end: of the step [s].
-            T: length of the step [s].
-        """
-
-    def after(self) -> None:
-        """Does nothing."""
+        super().__init__(model, 0)
 
 
 @final
-class ScriptedHand:
+class ScriptedHand(SlotHand):
     """The hands and tools of one slot, as the session's file defines them."""
 
     def __init__(self, at: Slot) -> None:
@@ -195,8 +229,8 @@ class ScriptedHand:
             ScenarioError: a hand, tool or device is wrong.
         """
         scenario, body, model, slot = at.scenario, at.body, at.model, at.index
-        users = scenario.network.size
-        hands, ports = ports_of(scenario.hands, users, body, model)
+        super().__init__(model, slot)
+        hands, ports = ports_of(scenario.hands, scenario.network.size, body, model)
         axes = body.dimension if model.full else 1
         self.nodes = [hand.node - 1 for hand in scenario.hands if hand.user == slot + 1 for _ in range(axes)]
         if body.tools:
@@ -208,27 +242,8 @@ class ScriptedHand:
         self._ports = idle_ports(hands.row, hands.shape, model.width)
         self._own = int(hands.first[slot]), int(hands.first[slot + 1])
         self.ports = own_ports(self._ports, *self._own)
-        self.surface: Surface | None = None
-        self.tools: Tools | None = None
-        self.contact: Contact | None = None
-        self._touching = None
-        self._slot = slot
         if any(tool.user == slot + 1 for tool in scenario.proxies):
-            still = np.zeros((users, body.nodes, body.dimension))
-            lengths = np.tile([at.period, at.longest], (users, 1))
-            self._touching, _ = touching_of(
-                scenario.proxies,
-                users,
-                body,
-                model,
-                lengths,
-                start=still,
-                contact=scenario.contact,
-                numbers=scenario.proxy_numbers,
-            )
-            assert self._touching is not None
-            self.surface, self.contact = self._touching.surface, self._touching.contact
-            self.tools = tools_of(self._touching, slot)
+            self._take_up(at, scenario.proxies, scenario.proxy_numbers)
 
     def before(self, end: float, T: float) -> None:
         """Does what the file says for this step.
@@ -239,10 +254,4 @@ class ScriptedHand:
         """
         for port in range(*self._own):
             grip(self._hands, self._ports, self._cursor, port, end, T, self._lanes)
-        if self._touching is not None:
-            before_step_alone(self._touching, self._slot, end, T)
-
-    def after(self) -> None:
-        """Tells the devices what came of the step."""
-        if self._touching is not None:
-            after_step_alone(self._touching, self._slot)
+        super().before(end, T)

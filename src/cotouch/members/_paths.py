@@ -1,6 +1,6 @@
 """How samples get from one member to another."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Protocol, final
 
 from cotouch.arrays import Float
@@ -105,49 +105,3 @@ class RoutedPaths:
     def path_state(self, slot: int) -> str:
         """As the transport has it."""
         return self._routed.path_state(slot).name.lower()
-
-
-@final
-class MemoryPaths:
-    """Members of one process that know each other's addresses; for tests."""
-
-    def __init__(
-        self,
-        transport: Transport,
-        directory: Mapping[bytes, str],
-        *,
-        path: Callable[[str], float | None] = lambda address: None,  # noqa: ARG005
-    ) -> None:
-        """Wraps a transport.
-
-        Args:
-            transport: over a memory network.
-            directory: address of each member by its public key.
-            path: time there and back to an address [s].
-        """
-        self.transport = transport
-        self._directory = directory
-        self._path = path
-        self._at: dict[int, str] = {}
-
-    def introduce(self, slot: int, key: bytes) -> None:
-        """Follows it to its address.
-
-        Args:
-            slot: the user's.
-            key: public key of its member.
-        """
-        self._at[slot] = self._directory[key]
-        self.transport.follow(slot, self._at[slot])
-
-    def round_trip(self, slot: int) -> float | None:
-        """As it was told."""
-        return self._path(self._at[slot]) if slot in self._at else None
-
-    def take(self, message: SignedMessage) -> bool:  # noqa: ARG002
-        """Nothing is said about ways."""
-        return False
-
-    def path_state(self, slot: int) -> str:  # noqa: ARG002
-        """Always direct."""
-        return "direct"

@@ -96,6 +96,27 @@ def _further(reach: float, scale: float) -> float:
     return reach * (_FURTHER if reach > -_CROWDED * scale else _STEP)
 
 
+@subroutine
+def _rightmost_of(known: Complex, found: int) -> complex:
+    """Of the known roots beside the first, which is s = 0; real part -inf where there is none."""
+    best = complex(-np.inf, 0.0)
+    for f in range(1, found):
+        if known[f].real > best.real:
+            best = known[f]
+    return best
+
+
+@subroutine
+def _beside(best: complex, known: Complex, found: int, left: float, scale: float) -> float:
+    """A line left of the best root, by a share `left` of its distance from 0, on which none that is known lies."""
+    width = left * max(np.abs(best.real), 1e-6 * scale)
+    line = best.real - width
+    for f in range(1, found):
+        if np.abs(known[f].real - line) < 0.1 * width:
+            line = known[f].real - 0.25 * width
+    return line
+
+
 @routine
 def _swift(loop: Loop, top: float, guesses: Complex, enough: float) -> tuple[complex, bool, int]:
     """What `slowest` finds, by the returns to one user; uncertain where the line gets too far left for that."""
@@ -116,18 +137,12 @@ def _swift(loop: Loop, top: float, guesses: Complex, enough: float) -> tuple[com
     for _ in range(_SWIFT_ROUNDS):
         if raised(loop.stop):
             return best, False, effort
-        for f in range(1, found):
-            if known[f].real > best.real:
-                best = known[f]
+        best = _rightmost_of(known, found)
         if best.real >= enough:
             return best, True, effort
         line, final = reach, False
         if found > 1:
-            width = _LEFT * max(np.abs(best.real), 1e-6 * scale)
-            line = best.real - width
-            for f in range(1, found):
-                if np.abs(known[f].real - line) < 0.1 * width:
-                    line = known[f].real - 0.25 * width
+            line = _beside(best, known, found, _LEFT, scale)
             final = line >= reach
         if not final:
             line, reach = reach, _further(reach, scale)
@@ -165,8 +180,7 @@ def _swift(loop: Loop, top: float, guesses: Complex, enough: float) -> tuple[com
             start = promise[w]
             promise[w] = complex(-np.inf, 0.0)
             found = _take(chain, start, scale, top, known, found)
-            for k in range(before, found):
-                ahead = max(ahead, known[k].real)
+            ahead = _rightmost_of(known, found).real
         if ahead >= enough or not final or ahead > best.real + 0.05 * np.abs(line):
             continue
         certain = True
@@ -180,16 +194,12 @@ def _swift(loop: Loop, top: float, guesses: Complex, enough: float) -> tuple[com
             if inside < 0:
                 return best, False, effort
             found = _take(chain, complex(line, 0.0) + nearest, scale, top, known, found)
-            for k in range(before, found):
-                ahead = max(ahead, known[k].real)
+            ahead = _rightmost_of(known, found).real
             if ahead > best.real + 0.05 * np.abs(line):
                 break  # Better by much: a line further right crosses less.
             on_line(chain, line)
         if certain:
-            for k in range(1, found):
-                if known[k].real > best.real:
-                    best = known[k]
-            return best, True, effort
+            return _rightmost_of(known, found), True, effort
         if found == before:
             return best, False, effort
     return best, False, effort
@@ -310,19 +320,12 @@ def _thorough(loop: Loop, top: float, guesses: Complex, enough: float) -> tuple[
     for _ in range(_ROUNDS):
         if raised(loop.stop):
             return best, False, effort
-        best = complex(-np.inf, 0.0)
-        for f in range(1, found):
-            if known[f].real > best.real:
-                best = known[f]
+        best = _rightmost_of(known, found)
         if best.real >= enough:
             return best, True, effort
         if effort > most:
             return best, False, effort
-        width = left * max(np.abs(best.real), 1e-6 * scale)
-        line = best.real - width
-        for f in range(1, found):
-            if np.abs(known[f].real - line) < 0.1 * width:
-                line = known[f].real - 0.25 * width
+        line = _beside(best, known, found, left, scale)
         final = found > 1 and line >= reach
         if not final:
             # Lines far left cross many windows: better roots are looked for right of there first.
@@ -337,15 +340,13 @@ def _thorough(loop: Loop, top: float, guesses: Complex, enough: float) -> tuple[
             for f in range(found):
                 if lows[w] <= known[f].imag <= highs[w]:
                     detuned[w] = np.inf
-        before, ahead = found, best.real
         for _ in range(min(many, _LOOKS)):
             w = int(np.argmin(detuned[:many]))
             if detuned[w] == np.inf:
                 break
             detuned[w] = np.inf
             found = _add(loop, complex(0.5 * line, 0.5 * (lows[w] + highs[w])), scale, top, known, copies, found)
-        for f in range(before, found):
-            ahead = max(ahead, known[f].real)
+        ahead = _rightmost_of(known, found).real
         if found > 1 and (not final or ahead > best.real + 0.05 * np.abs(line)):
             continue
         certain, fresh = True, False
@@ -375,10 +376,7 @@ def _thorough(loop: Loop, top: float, guesses: Complex, enough: float) -> tuple[
         if certain and found == 1 and line * longest < -_NOTHING:
             return best, True, effort
         if certain and found > 1:
-            for f in range(1, found):
-                if known[f].real > best.real:
-                    best = known[f]
-            return best, True, effort
+            return _rightmost_of(known, found), True, effort
         if found > 1 and not fresh:
             left *= 0.618
     return best, False, effort

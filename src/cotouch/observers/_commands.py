@@ -243,7 +243,8 @@ def read_command(given: Mapping[str, object]) -> Command:
 def _sentence(error: ValidationError, given: Mapping[str, object]) -> str:
     """What is wrong first, and what would be right."""
     first = error.errors(include_url=False)[0]
-    models = {model.model_fields["what"].default: model for model in _models()}
+    known = cast("tuple[type[Command], ...]", Command.__args__)
+    models = {model.model_fields["what"].default: model for model in known}
     what = given.get("what")
     if not isinstance(what, str) or what not in models:
         return f"the command is {_quoted(what)}; it must be one of {', '.join(models)}"
@@ -255,10 +256,6 @@ def _sentence(error: ValidationError, given: Mapping[str, object]) -> str:
         return f"{what} has no {_quoted(name)}; it has {', '.join(part for part in fields if part != 'what')}"
     said = "is missing" if name not in given else f"is {_quoted(given.get(name))}"
     return f"{name} {said}; it must be {fields[name].description}"
-
-
-def _models() -> tuple[type[Command], ...]:
-    return cast("tuple[type[Command], ...]", Command.__args__)
 
 
 def _quoted(value: object) -> str:

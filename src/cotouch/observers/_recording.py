@@ -73,7 +73,7 @@ class RecordingClient:
                     if self._now.state == "on"
                     else "the previous recording is still being finished; try again in a moment"
                 )
-            asked = {name for name in self._names if self._moves(name)}
+            asked = {name for name in self._names if self._commands.number(name, "step") > 0}
             if not asked:
                 raise SessionError("no copy is moving yet, so there is nothing to record")
             self._number += 1
@@ -131,9 +131,6 @@ class RecordingClient:
         except OSError as error:
             return f"the last recording was not downloaded and could not be saved: {error.strerror or error}"
         return f"the last recording was not downloaded from the page; it is in {folder}"
-
-    def _moves(self, name: str) -> bool:
-        return self._commands.number(name, "step") > 0
 
     def _receive(self, name: str, now: float, *, running: bool) -> None:
         """Takes note of who takes part, and of what became of it."""

@@ -173,13 +173,16 @@ def svg(drawn: "Figure", key: str) -> str:
         drawn.savefig(stream, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
     text = stream.getvalue()
     text = text[text.index("<svg") :]
-    text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
-    text = re.sub(r'\sxmlns(:\w+)?="[^"]*"', "", text)
-    text = re.sub(r"<!--.*?-->", "", text, flags=re.DOTALL)
-    text = re.sub(r"<style[^>]*>.*?</style>", "", text, flags=re.DOTALL)
-    text = re.sub(r'(id=")([^"]+)"', rf'\g<1>{key}-\g<2>"', text)
-    text = re.sub(r"url\(#([^)]+)\)", rf"url(#{key}-\g<1>)", text)
-    text = re.sub(r'xlink:href="#([^"]+)"', rf'href="#{key}-\g<1>"', text)
+    for pattern, replacement in (
+        (r"(?s)<metadata>.*?</metadata>", ""),
+        (r'\sxmlns(:\w+)?="[^"]*"', ""),
+        (r"(?s)<!--.*?-->", ""),
+        (r"(?s)<style[^>]*>.*?</style>", ""),
+        (r'(id=")([^"]+)"', rf'\g<1>{key}-\g<2>"'),
+        (r"url\(#([^)]+)\)", rf"url(#{key}-\g<1>)"),
+        (r'xlink:href="#([^"]+)"', rf'href="#{key}-\g<1>"'),
+    ):
+        text = re.sub(pattern, replacement, text)
     text = re.sub(r"<svg[^>]*?viewBox=\"([^\"]+)\"[^>]*>", r'<svg viewBox="\g<1>" class="chart">', text, count=1)
     text = re.sub(r"<[^>]*>", lambda match: _lean(match[0]), text)
     text = re.sub(r">([^<>]*_[^<>]*)</text>", lambda match: f">{_lowered(match[1])}</text>", text)

@@ -115,12 +115,8 @@ def plan_counts(
 
 
 def _counts(plans: list[Plan]) -> LinkCounts:
-    best = _best(plans)
+    best = min(plans, key=lambda one: one.best.value)
     return LinkCounts(plans=tuple(plans), best=best, knee=next(one for one in plans if _near(one, best)))
-
-
-def _best(plans: list[Plan]) -> Plan:
-    return min(plans, key=lambda one: one.best.value)
 
 
 def _near(one: Plan, best: Plan) -> bool:

@@ -172,10 +172,13 @@ def ranks(first: tuple[str, npt.ArrayLike], second: tuple[str, npt.ArrayLike]) -
                     label=f"{word} by {short}: places {places[0][index]:.4g} and {places[1][index]:.4g}",
                 )
         margin = 0.04 * count
-        panel.set(xlim=(1 - margin, count + margin), ylim=(1 - margin, count + margin))
-        panel.set_xlabel(f"Place by {names[0].split(' / ')[0]}, 1 is best")
-        panel.set_ylabel(f"Place by {names[1].split(' / ')[0]}, 1 is best")
-        panel.set_title(f"{count:,} choices: Spearman's ρ = {rho}")
+        panel.set(
+            xlim=(1 - margin, count + margin),
+            ylim=(1 - margin, count + margin),
+            xlabel=f"Place by {names[0].split(' / ')[0]}, 1 is best",
+            ylabel=f"Place by {names[1].split(' / ')[0]}, 1 is best",
+            title=f"{count:,} choices: Spearman's ρ = {rho}",
+        )
         figure.legend(loc="outside lower center", ncols=2, fontsize=7.0, handletextpad=0.3)
     return figure
 
@@ -224,8 +227,7 @@ def knee(
             _course(panel, name, count, entry[order], sure, color, chosen)
         panels[1].xaxis.set_major_locator(MaxNLocator(integer=True))
         panels[0].set_title("What more links bring")
-        panels[1].set_title("What they cost")
-        panels[1].set_xlabel("Number of links")
+        panels[1].set(title="What they cost", xlabel="Number of links")
         words = ["Open marks: best found, not proved."] * (not sure.all())
         if bend is not None:
             for panel in panels:

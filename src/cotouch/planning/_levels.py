@@ -125,20 +125,15 @@ def holds(task: Task, chosen: Long, level: float) -> bool:
     """
     matrix, place = np.empty((task.size, task.size)), _places(task, chosen)
     for mode in range(len(task.modes)):
-        fill(task, chosen, -1, mode, level, place, matrix)
-        if _negatives(matrix) > still(task, mode):
-            return False
-        if task.lost == LOST_USER:
-            for user in range(task.size):
-                fill(task, chosen, user, mode, level, place, matrix)
-                if _negatives(matrix) > still(task, mode):
-                    return False
-        if task.lost == LOST_LINK:
-            for gone in range(len(chosen)):
-                left = np.concatenate((chosen[:gone], chosen[gone + 1 :]))
-                fill(task, left, -1, mode, level, place, matrix)
-                if _negatives(matrix) > still(task, mode):
-                    return False
+        for without in range(-1, task.size if task.lost == LOST_USER else 0):
+            fill(task, chosen, without, mode, level, place, matrix)
+            if _negatives(matrix) > still(task, mode):
+                return False
+        for gone in range(len(chosen) if task.lost == LOST_LINK else 0):
+            left = np.concatenate((chosen[:gone], chosen[gone + 1 :]))
+            fill(task, left, -1, mode, level, place, matrix)
+            if _negatives(matrix) > still(task, mode):
+                return False
     return True
 
 

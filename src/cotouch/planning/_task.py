@@ -121,16 +121,12 @@ def admissible(task: Task, chosen: Long) -> bool:
     if np.max(damping) > task.limit or drag_of(task, float(total)) > task.drag:
         return False
     group = np.empty(task.size, np.int64)
-    if not _joined(task, chosen, -1, -1, group):
-        return False
-    if task.lost == LOST_LINK:
-        for e in chosen:
-            if not _joined(task, chosen, e, -1, group):
-                return False
-    if task.lost == LOST_USER:
-        for user in range(task.size):
-            if not _joined(task, chosen, -1, user, group):
-                return False
+    for without in range(-1, task.size if task.lost == LOST_USER else 0):
+        if not _joined(task, chosen, -1, without, group):
+            return False
+    for e in chosen[: len(chosen) if task.lost == LOST_LINK else 0]:  # noqa: SIM110 (kernels have no generators)
+        if not _joined(task, chosen, e, -1, group):
+            return False
     return True
 
 

@@ -14,7 +14,7 @@ from cotouch.arrays import Float, Int
 from cotouch.body import Body, Matrix
 from cotouch.errors import BodyError, RecordingError
 from cotouch.mechanics import Model
-from cotouch.recording._material import RecordedMaterial
+from cotouch.recording._material import PARTS, RecordedMaterial, matrix_of
 
 _MATRICES = ("mass", "damping", "stiffness")
 _UNREADABLE = (
@@ -132,8 +132,7 @@ class RecordedBody:
         """As a compressed NPZ file."""
         arrays: dict[str, Any] = {"rest": self.rest}
         for name, matrix in self._named().items():
-            for part in ("data", "indices", "indptr"):
-                arrays[f"{name}_{part}"] = getattr(matrix, part)
+            arrays |= {f"{name}_{part}": getattr(matrix, part) for part in PARTS}
         if self.modes is not None:
             arrays["modes"] = self.modes
         if self.order is not None:
@@ -154,18 +153,11 @@ class RecordedBody:
         try:
             with np.load(io.BytesIO(data), allow_pickle=False) as arrays:
                 size = int(arrays["mass_indptr"].size) - 1
-
-                def matrix(name: str) -> sp.csr_array:
-                    parts = tuple(arrays[f"{name}_{part}"] for part in ("data", "indices", "indptr"))
-                    made = sp.csr_array(parts, shape=(size, size))
-                    made.check_format(full_check=True)
-                    return made
-
                 count = sum(name.startswith("weight") and name.endswith("_data") for name in arrays.files)
                 result = cls(
                     rest=arrays["rest"],
-                    **{name: matrix(name) for name in _MATRICES},
-                    weights=tuple(matrix(f"weight{w}") for w in range(count)),
+                    **{name: matrix_of(arrays, name, size) for name in _MATRICES},
+                    weights=tuple(matrix_of(arrays, f"weight{w}", size) for w in range(count)),
                     modes=arrays["modes"] if "modes" in arrays.files else None,
                     order=arrays["order"] if "order" in arrays.files else None,
                     material=RecordedMaterial.of_arrays(arrays, arrays["rest"]),

@@ -175,15 +175,20 @@ class Buffer:
     def batch(self) -> Batch:
         """What is in it, as columns; views, to be packed before the buffer is used again."""
         n, m, axes = self.count, self.states, self.extents.axes
-        columns: dict[str, Array] = dict(zip(SCALARS, self._scalars[:n].T, strict=True))
-        columns["index"] = columns["index"].astype(np.int64)
-        columns["iterations"] = columns["iterations"].astype(np.int32)
-        columns["force"] = self._force[:n, :, :axes]
-        columns |= {"link_work": self._link_work[:n], "age": self._age[:n]}
-        columns |= {"used": self._used[:n], "link_state": self._link_state[:n]}
-        names = ("tool_position", "tool_velocity", "drive_force", "touch_force")
-        columns |= {name: values[:n, :, :3] for name, values in zip(names, self._tools, strict=False)}
-        columns["state_row"] = self._row[:m]
-        columns |= {name: values[:m, :, :axes] for name, values in zip(("x", "v", "middle"), self._state, strict=True)}
-        columns |= {name: values[:n] for name, values in self._extra.items()}
+        scalars: dict[str, Array] = dict(zip(SCALARS, self._scalars[:n].T, strict=True))
+        tools = zip(("tool_position", "tool_velocity", "drive_force", "touch_force"), self._tools, strict=False)
+        columns: dict[str, Array] = {
+            **scalars,
+            "index": scalars["index"].astype(np.int64),
+            "iterations": scalars["iterations"].astype(np.int32),
+            "force": self._force[:n, :, :axes],
+            "link_work": self._link_work[:n],
+            "age": self._age[:n],
+            "used": self._used[:n],
+            "link_state": self._link_state[:n],
+            **{name: values[:n, :, :3] for name, values in tools},
+            "state_row": self._row[:m],
+            **{name: values[:m, :, :axes] for name, values in zip(("x", "v", "middle"), self._state, strict=True)},
+            **{name: values[:n] for name, values in self._extra.items()},
+        }
         return Batch(self.extents.neighbours, columns)

@@ -123,7 +123,10 @@ class Batch(NamedTuple):
 
 def pack(batch: Batch) -> bytes:
     """A batch as bytes."""
-    arrays = {name: _little(values) for name, values in batch.columns.items()}
+    arrays = {
+        name: np.ascontiguousarray(values, dtype=values.dtype.newbyteorder("<"))
+        for name, values in batch.columns.items()
+    }
     heading = {
         "neighbours": list(batch.neighbours),
         "columns": [[name, values.dtype.str, list(values.shape)] for name, values in arrays.items()],
@@ -184,7 +187,3 @@ def description(extra: dict[str, tuple[str, str]]) -> bytes:
         **{name: {"unit": unit, "meaning": meaning} for name, (unit, meaning) in extra.items()},
     }
     return json.dumps({"encoding": (__doc__ or "").strip(), "columns": columns}, indent=1).encode()
-
-
-def _little(values: Array) -> Array:
-    return np.ascontiguousarray(values, dtype=values.dtype.newbyteorder("<"))

@@ -20,16 +20,20 @@ def audit_figure(result: Audit) -> "Figure":
         scale, unit = drawing.prefix(drawing.peak(margin), "J")
         above.plot(*drawing.decimate(result.time, margin / scale), color=drawing.USERS[0])
         above.axhline(0.0, color=drawing.ALARM_COLOUR, linewidth=0.8)
-        above.set_ylabel(unit)
-        above.set_title("Energy put in by all users, with what was there at the start: passive if never below zero")
+        above.set(
+            ylabel=unit,
+            title="Energy put in by all users, with what was there at the start: passive if never below zero",
+        )
         scale, unit = drawing.prefix(drawing.peak(result.made, result.taken), "J")
         below.plot(*drawing.decimate(result.time, result.made / scale), color=drawing.USERS[1], label="added by links")
         below.plot(
             *drawing.decimate(result.time, result.taken / scale), color=drawing.USERS[2], label="taken by their damping"
         )
-        below.set_ylabel(unit)
-        below.set_xlabel("time [s]")
-        below.set_title("Added by the age of samples, and taken by the damping of the synchronisation")
+        below.set(
+            ylabel=unit,
+            xlabel="time [s]",
+            title="Added by the age of samples, and taken by the damping of the synchronisation",
+        )
         below.legend(loc="upper left")
     return figure
 

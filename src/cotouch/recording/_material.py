@@ -35,7 +35,7 @@ from cotouch.recording._outside import Outside
 from cotouch.recording._parts import NAMES, parts_arrays, parts_of_arrays, solid_arrays, solids_of_arrays
 
 _INNER, _OUTER = ("damping_int", "stiffness_int"), ("mass", "damping_ext", "stiffness_ext")
-_PARTS = ("data", "indices", "indptr")
+PARTS = ("data", "indices", "indptr")
 _PREFIX, _SKIN, _WORLD = "material_", "skin_", "world_"
 _SURFACE = ("vertices", "triangles", "nodes", "weights")
 # Numbers of an obstacle: of its shape, unused ones 0, and of its law.
@@ -126,7 +126,7 @@ class RecordedMaterial:
         """Of one body."""
         found: dict[str, Array] = {}
         for name in (*_INNER, *_OUTER):
-            found |= {f"{_PREFIX}{name}_{part}": getattr(getattr(self.body, name), part) for part in _PARTS}
+            found |= {f"{_PREFIX}{name}_{part}": getattr(getattr(self.body, name), part) for part in PARTS}
         found |= {_PREFIX + field.name: np.asarray(getattr(self.material, field.name)) for field in _FIELDS}
         if skin and self.body.skin is not None:
             found |= {_PREFIX + _SKIN + name: getattr(self.body.skin, name) for name in _SURFACE}
@@ -336,11 +336,9 @@ def _world_of(arrays: Mapping[str, Array]) -> dict[str, Array]:
     extents = [values.shape for values in world.values()]
     if extents != [extents[0], (*extents[0], _SHAPE), (*extents[0], len(_LAW))] or len(extents[0]) != 1:
         raise ValueError(f"the surroundings of the body have arrays of shapes {extents}")
-    return world | {name: np.asarray(arrays[_PREFIX + _WORLD + name]) for name in NAMES if _has(arrays, name)}
-
-
-def _has(arrays: Mapping[str, Array], name: str) -> bool:
-    return _PREFIX + _WORLD + name in arrays
+    return world | {
+        name: np.asarray(arrays[_PREFIX + _WORLD + name]) for name in NAMES if _PREFIX + _WORLD + name in arrays
+    }
 
 
 def _number(said: Array) -> float | Float:
@@ -349,14 +347,27 @@ def _number(said: Array) -> float | Float:
     return numbers if numbers.ndim else float(numbers)
 
 
+def matrix_of(arrays: Mapping[str, Array], name: str, rows: int | None = None) -> sp.csr_array:
+    """A square matrix that can be used safely.
+
+    Args:
+        arrays: by name; nothing of them is believed.
+        name: of the matrix.
+        rows: how many it must have; None: as many as it has.
+
+    Raises:
+        ValueError, KeyError, TypeError: there is none.
+    """
+    parts = tuple(arrays[f"{name}_{part}"] for part in PARTS)
+    rows = int(parts[2].size) - 1 if rows is None else rows
+    made = sp.csr_array(parts, shape=(rows, rows))
+    made.check_format(full_check=True)
+    return made
+
+
 def _body_of(arrays: Mapping[str, Array], rest: Float, places: npt.ArrayLike) -> Body:
     """One body, with its material."""
-    matrices: dict[str, sp.csr_array] = {}
-    for name in (*_INNER, *_OUTER):
-        parts = tuple(arrays[f"{_PREFIX}{name}_{part}"] for part in _PARTS)
-        size = int(parts[2].size) - 1
-        matrices[name] = sp.csr_array(parts, shape=(size, size))
-        matrices[name].check_format(full_check=True)
+    matrices = {name: matrix_of(arrays, _PREFIX + name) for name in (*_INNER, *_OUTER)}
     said = {field.name: arrays[_PREFIX + field.name] for field in _FIELDS}
     material = Material(
         model=str(said["model"]),  # pyright: ignore[reportArgumentType]  checked by the body

@@ -14,7 +14,6 @@ from cotouch.samples._indexed import IndexedAssembly
 from cotouch.samples._keys import DirectionKeys, Entropy, Identity, LinkKeys
 from cotouch.samples._layout import HEAD_BYTES, Encoding, Layout
 from cotouch.samples._limit import Bucket, SourceLimit
-from cotouch.samples._memory import MemoryNetwork, MemoryTransport
 from cotouch.samples._plane import SampleLink, SamplePlane
 from cotouch.samples._rate import LOWEST_RATE, SendRate, Trend
 from cotouch.samples._replay import ReplayWindow
@@ -52,8 +51,6 @@ __all__ = [
     "Layout",
     "LinkAges",
     "LinkKeys",
-    "MemoryNetwork",
-    "MemoryTransport",
     "Opened",
     "PathLaw",
     "Refusal",

@@ -5,6 +5,7 @@ import socket
 import struct
 import time
 from collections.abc import Callable, Hashable
+from contextlib import suppress
 from functools import lru_cache
 from typing import Any, cast, final
 
@@ -66,7 +67,7 @@ class UdpTransport:
         self.traffic = Traffic()
         self._last = clock()
         self._socket: socket.socket | None = _open(str(number), _port(port), six=self._six)
-        self._stamped = _ask_for_stamps(self._socket)
+        _ask_for_stamps(self._socket)
 
     @property
     def address(self) -> Address:
@@ -97,7 +98,7 @@ class UdpTransport:
             opened = _open(str(number), 0, six=six)
         self._socket.close()
         self._socket, self._six = opened, six
-        self._stamped = _ask_for_stamps(opened)
+        _ask_for_stamps(opened)
 
     @property
     def buffer(self) -> int:
@@ -259,14 +260,10 @@ def _open(host: str, port: int, *, six: bool) -> socket.socket:
     return opened
 
 
-def _ask_for_stamps(opened: socket.socket) -> bool:
-    if _TIMESTAMPS is None:
-        return False
-    try:
-        opened.setsockopt(socket.SOL_SOCKET, _TIMESTAMPS, 1)
-    except OSError:
-        return False
-    return True
+def _ask_for_stamps(opened: socket.socket) -> None:
+    if _TIMESTAMPS is not None:
+        with suppress(OSError):
+            opened.setsockopt(socket.SOL_SOCKET, _TIMESTAMPS, 1)
 
 
 def _port(port: object, *, given: bool = False) -> int:

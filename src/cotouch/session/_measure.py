@@ -38,17 +38,24 @@ class MeasuredNetwork:
     def toml(self) -> str:
         """As a file for `cotouch plan`, with a comment for each pair that was not measured."""
         network = self.network
-        lines = ["# Measured: half of the shortest round trip, in each direction.", "[network]"]
-        if self.emulated:
-            lines.insert(1, "# The session emulates a network, whose delays are included.")
         names = ", ".join(_text(name) for name in network.users)
-        lines += [f"users = [{names}]", "spring = [ # N/m"]
-        lines += [f"  [{', '.join(f'{value:g}' for value in row)}]," for row in network.spring]
-        lines += ["]", "delay = [ # s"]
-        lines += [f"  [{', '.join(f'{value:.6f}' if value else '0' for value in row)}]," for row in network.delay]
-        lines += ["]", f"links = [{', '.join(f'[{a + 1}, {b + 1}]' for a, b in network.links)}]"]
-        for a, b in self.missing:
-            lines.append(f"# {a + 1} and {b + 1} could not be measured; this is the delay in the session file")
+        lines = [
+            "# Measured: half of the shortest round trip, in each direction.",
+            *(["# The session emulates a network, whose delays are included."] if self.emulated else []),
+            "[network]",
+            f"users = [{names}]",
+            "spring = [ # N/m",
+            *(f"  [{', '.join(f'{value:g}' for value in row)}]," for row in network.spring),
+            "]",
+            "delay = [ # s",
+            *(f"  [{', '.join(f'{value:.6f}' if value else '0' for value in row)}]," for row in network.delay),
+            "]",
+            f"links = [{', '.join(f'[{a + 1}, {b + 1}]' for a, b in network.links)}]",
+            *(
+                f"# {a + 1} and {b + 1} could not be measured; this is the delay in the session file"
+                for a, b in self.missing
+            ),
+        ]
         return "\n".join(lines) + "\n"
 
 

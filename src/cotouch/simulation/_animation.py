@@ -317,16 +317,20 @@ class Animation:
         """The page as text."""
         packer = Packer()
         low, step = packer.add_quantised("vertices", self.vertices)
-        packer.add("time", self.time, "f8")
-        packer.add("rest", self.rest, "f4")
-        packer.add("triangles", self.triangles, "u4")
-        packer.add("edges", self.edges, "u4")
-        packer.add("spans", self.spans, "f4")
-        packer.add("tool_centre", self.tools.centre, "f4")
-        packer.add("tool_force", self.tools.force, "f4")
-        packer.add("grip_place", self.ports.place, "f4")
-        packer.add("grip_force", self.ports.force, "f4")
-        forces = (UserSeries(name="Force", unit="N", values=self.felt()),) if self._touched() else ()
+        for name, values, kind in (
+            ("time", self.time, "f8"),
+            ("rest", self.rest, "f4"),
+            ("triangles", self.triangles, "u4"),
+            ("edges", self.edges, "u4"),
+            ("spans", self.spans, "f4"),
+            ("tool_centre", self.tools.centre, "f4"),
+            ("tool_force", self.tools.force, "f4"),
+            ("grip_place", self.ports.place, "f4"),
+            ("grip_force", self.ports.force, "f4"),
+        ):
+            packer.add(name, values, kind)
+        touched = self.tools.owner.size or self.ports.owner.size
+        forces = (UserSeries(name="Force", unit="N", values=self.felt()),) if touched else ()
         series = (*forces, *self.series)
         for number, entry in enumerate(series):
             packer.add(f"series_{number}", entry.values, "f4")
@@ -371,9 +375,6 @@ class Animation:
         for track, owner in enumerate(self.ports.owner):
             total[:, owner] -= self.ports.force[:, track]
         return np.linalg.norm(total, axis=-1)
-
-    def _touched(self) -> bool:
-        return bool(self.tools.owner.size or self.ports.owner.size)
 
     def _peaks(self) -> tuple[float, float]:
         """Largest displacement from rest, and largest distance of a copy's vertex from the mean of the copies [m]."""

@@ -216,8 +216,7 @@ def _surface(
 def _stage(panel: "Axes3D", low: Float, high: Float, ratio: float) -> None:
     """Equal scales, nothing around, as large as a panel `ratio` times as wide as high can take."""
     extent = np.maximum(high - low, 1e-12)
-    panel.set_xlim(low[0], high[0])
-    panel.set_ylim(low[1], high[1])
+    panel.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
     panel.set_zlim(low[2], high[2])
     elevation, azimuth = np.radians(_VIEW["elev"]), np.radians(_VIEW["azim"])
     wide = abs(np.sin(azimuth)) * extent[0] + abs(np.cos(azimuth)) * extent[1]

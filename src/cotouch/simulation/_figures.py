@@ -139,8 +139,7 @@ def _positions(run: "xr.Dataset") -> "Figure":
     for axis, panel in enumerate(panels):
         shade_hold(panel, run, label=axis == 0)
         for i in range(users):
-            time, line = decimate(run["time"].values[i], places[i, :, axis] / factor)
-            panel.plot(time, line, **user_line(i))
+            panel.plot(*decimate(run["time"].values[i], places[i, :, axis] / factor), **user_line(i))
         name = f" {run['axis'].values[axis]}" if axes > 1 else ""
         panel.set_ylabel(f"Position{name} / {unit}")
     which = f" of node {int(run['node'].values[node])}" if run.sizes["node"] > 1 else ""
@@ -162,19 +161,17 @@ def _forces(run: "xr.Dataset") -> "Figure":
         shade_hold(panel, run, label=axis == 0)
         for i in range(users):
             # Entry 0 is the initial state, which no force belongs to.
-            time, line = decimate(run["time"].values[i][1:], forces[i, 1:, axis] / factor)
-            panel.plot(time, line, **user_line(i))
+            panel.plot(*decimate(run["time"].values[i][1:], forces[i, 1:, axis] / factor), **user_line(i))
         name = f" {run['axis'].values[axis]}" if axes > 1 else ""
         panel.set_ylabel(f"Force{name} / {unit}")
     last = panels[-1]
     shade_hold(last, run, label=False)
     for axis in range(axes):
-        time, line = decimate(ticks[1:], total[1:, axis] / factor)
-        last.plot(time, line, color=INK, linestyle=DASHES[axis], label=str(run["axis"].values[axis]))
+        label = str(run["axis"].values[axis])
+        last.plot(*decimate(ticks[1:], total[1:, axis] / factor), color=INK, linestyle=DASHES[axis], label=label)
     if axes > 1:
         last.legend(loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=axes)
-    last.set_ylabel(f"Sum / {unit}")
-    last.set_title("Sum over users")
+    last.set(ylabel=f"Sum / {unit}", title="Sum over users")
     panels[0].set_title("Force of the hands" if "tool" not in run.sizes else "Force of hands and tools on the object")
     _limit(panels, run)
     user_legend(panels[0], [str(name) for name in run["user"].values])
@@ -205,10 +202,8 @@ def _tool_places(run: "xr.Dataset") -> "Figure":
         for tool, owner in enumerate(owners):
             line = _tool_line(owners, tool)
             time = run["time"].values[owner]
-            when, behind = decimate(time, held[tool, :, axis] / factor)
-            panel.plot(when, behind, linewidth=2.6, alpha=0.25, **line)
-            when, front = decimate(time, moved[tool, :, axis] / factor)
-            panel.plot(when, front, **line)
+            panel.plot(*decimate(time, held[tool, :, axis] / factor), linewidth=2.6, alpha=0.25, **line)
+            panel.plot(*decimate(time, moved[tool, :, axis] / factor), **line)
         panel.set_ylabel(f"{run['axis'].values[axis]} / {unit}")
     devices_too = " (wide and pale: their devices)" if np.isfinite(held).any() else ""
     panels[0].set_title(f"Displacement of tools from their start{devices_too}")
@@ -234,11 +229,9 @@ def _touch(run: "xr.Dataset") -> "Figure":
     for panel, values, title in zip(panels, (pushed, hand), titles, strict=False):
         shade_hold(panel, run, label=panel is panels[0])
         for tool, owner in enumerate(owners):
-            time, line = decimate(run["time"].values[owner][1:], values[tool, 1:] / factor)
-            panel.plot(time, line, **_tool_line(owners, tool))
-        panel.set_ylabel(f"|f| / {unit}")
-        panel.set_title(title)
-        panel.set_ylim(bottom=0.0)
+            seen = decimate(run["time"].values[owner][1:], values[tool, 1:] / factor)
+            panel.plot(*seen, **_tool_line(owners, tool))
+        panel.set(ylabel=f"|f| / {unit}", title=title, ylim=(0.0, None))
     last = panels[-1]
     shade_hold(last, run, label=False)
     counts = run["touching"].values
@@ -249,9 +242,7 @@ def _touch(run: "xr.Dataset") -> "Figure":
         moments, steps = time[known][np.minimum(changes, known.sum() - 1)], counts[tool, known]
         level = [float(steps[min(change, steps.size - 1)]) for change in changes]
         last.step(moments, level, where="post", linewidth=0.9, **_tool_line(owners, tool))
-    last.set_title("Active contacts, or nodes held")
-    last.set_ylabel("Number")
-    last.set_ylim(bottom=0.0)
+    last.set(title="Active contacts, or nodes held", ylabel="Number", ylim=(0.0, None))
     last.yaxis.set_major_locator(MaxNLocator(integer=True, nbins=4))
     panels[0].set_xlim(0.0, float(np.nanmax(run["time"].values)))
     _user_legend_of(panels[0], run, owners)
@@ -287,8 +278,7 @@ def _energies(run: "xr.Dataset") -> "Figure":
         factor, unit = prefix(peak(*(values for values, _ in lines.values())), "J")
         shade_hold(panel, run, label=panel is stores)
         for name, (values, color) in lines.items():
-            time, line = decimate(ticks, values / factor)
-            panel.plot(time, line, color=color, label=name)
+            panel.plot(*decimate(ticks, values / factor), color=color, label=name)
         panel.set_ylabel(f"Energy / {unit}")
         panel.legend(loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=len(lines))
     stores.set_title("Stored")
@@ -334,9 +324,7 @@ def _ages(run: "xr.Dataset") -> "Figure":
         for user in np.unique(receivers):
             draw(int(user), _highest(ages[receivers == user]), "")
         title = "Age of the oldest sample that each step uses, by receiver"
-    panel.set_title(title if names else "No links, so no samples")
-    panel.set_ylabel(f"Age / {unit}")
-    panel.set_ylim(bottom=0.0)
+    panel.set(title=title if names else "No links, so no samples", ylabel=f"Age / {unit}", ylim=(0.0, None))
     _limit([panel], run)
     if len(names) > _MOST_LABELS:
         user_legend(panel, [str(name) for name in run["user"].values])

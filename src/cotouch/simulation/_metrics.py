@@ -222,14 +222,18 @@ def tool_summary(run: "xr.Dataset") -> list[ToolSummary]:
             flows = [float(np.abs(run[name].values[index, :last]).max()) for name in ("device_work", "coupling_work")]
             held_force = np.linalg.norm(np.nan_to_num(run["device_force"].values[index, :last]), axis=-1)
             length = np.diff(time[:last], prepend=0.0)
-            entry["rms_force_n"] = float(np.sqrt(held_force**2 @ length / length.sum()))
-            entry["continuous_force_n"] = PRESETS[device["preset"]].continuous_force if device["preset"] else None
-            entry["coupling"] = {
-                "law": device["coupling"],
-                "excess_j": excess,
-                "bound_j": bound,
-                "passive": excess <= bound + _ROUNDING * max(flows),
-            }
+            entry.update(
+                {
+                    "rms_force_n": float(np.sqrt(held_force**2 @ length / length.sum())),
+                    "continuous_force_n": PRESETS[device["preset"]].continuous_force if device["preset"] else None,
+                    "coupling": {
+                        "law": device["coupling"],
+                        "excess_j": excess,
+                        "bound_j": bound,
+                        "passive": excess <= bound + _ROUNDING * max(flows),
+                    },
+                }
+            )
         result.append(entry)
     return result
 

@@ -164,9 +164,8 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
     for name, values in (("position", record.position), ("velocity", record.velocity)):
         own = values[:, :, : values.shape[2] - masses_of(prepared)]  # those of tools are behind
         shaped = own.reshape(users, records, prepared.nodes.size, -1)[..., :axes]
-        if name == "position":
-            with np.errstate(invalid="ignore"):  # what was not reached was never written
-                shaped = shaped + body.held_rest[prepared.nodes] if np.any(body.rest) else shaped
+        if name == "position" and np.any(body.rest):
+            shaped = shaped + body.held_rest[prepared.nodes]
         put(name, ("user", "step", "node", "axis"), shaped, everyone)
     ledger = USER_LEDGER if prepared.touching is None else USER_LEDGER + TOOL_LEDGER
     ledger = ledger if prepared.model.force is None else ledger + CLOSED_LEDGER
@@ -201,19 +200,15 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
         force[hand.user - 1] += hand_force[index]
     holders = np.array([hand.user - 1 for hand in scenario.hands], dtype=np.int64)
     put("hand_force", ("hand", "step", "axis"), hand_force, holders)
-    tools = tool_variables(prepared, outcome)
+    tools, leading = tool_variables(prepared, outcome), leading_variables(prepared, outcome)
+    rigid = rigid_tool_variables(prepared, record, period)
     owners = np.array([tool.user - 1 for tool in scenario.proxies], dtype=np.int64)
-    for name, (dims, values) in tools.items():
-        put(name, dims, values, owners)
+    movers = np.array([tool.user for tool in prepared.rigid_tools], dtype=np.int64)
+    for variables, whose in ((tools, owners), (rigid | leading, movers)):
+        for name, (dims, values) in variables.items():
+            put(name, dims, values, whose)
     for index, owner in enumerate(owners):
         force[owner] -= tools["touch_force"][1][index]
-    rigid = rigid_tool_variables(prepared, record, period)
-    movers = np.array([tool.user for tool in prepared.rigid_tools], dtype=np.int64)
-    for name, (dims, values) in rigid.items():
-        put(name, dims, values, movers)
-    leading = leading_variables(prepared, outcome)
-    for name, (dims, values) in leading.items():
-        put(name, dims, values, movers)
     for index, owner in enumerate(movers):
         force[owner] += rigid["rigid_force"][1][index]
     put("force", ("user", "step", "axis"), force, everyone)

@@ -65,12 +65,18 @@ def animation(run: "xr.Dataset", body: Body) -> Animation:
     shape: dict[str, Any]
     faces = cut_skin(body) if "cut_time" in run else None
     if faces is not None:
-        shape = {"skin": faces.skin, "displacement": frames - body.rest.astype(np.float32)}
-        shape["spans"] = _in_their_copies(body, _spans(run, faces), faces)
-        shape["parts"] = drawn_parts(body, _colours(tables.get("bodies", [])), faces)
+        shape = {
+            "skin": faces.skin,
+            "displacement": frames - body.rest.astype(np.float32),
+            "spans": _in_their_copies(body, _spans(run, faces), faces),
+            "parts": drawn_parts(body, _colours(tables.get("bodies", [])), faces),
+        }
     elif body.skin is not None and body.skin.triangles.size:
-        shape = {"skin": body.skin, "displacement": frames - body.rest.astype(np.float32)}
-        shape["parts"] = drawn_parts(body, _colours(tables.get("bodies", [])))
+        shape = {
+            "skin": body.skin,
+            "displacement": frames - body.rest.astype(np.float32),
+            "parts": drawn_parts(body, _colours(tables.get("bodies", []))),
+        }
         if body.tools:
             always = np.empty((frames.shape[1], body.skin.triangles.shape[0], 2))
             always[...] = -np.inf, np.inf

@@ -58,17 +58,15 @@ def tool_variables(prepared: Prepared, outcome: Outcome) -> _Data:
     if record is None or touching is None:
         return {}
     order = np.array(prepared.tool)
-    data: _Data = {}
-
-    def put(name: str, values: Float) -> None:
-        data[name] = (("tool", "step", "axis")[: values.ndim], values[order])
-
-    put("tool_position", record.place[..., :3])
-    put("tool_velocity", record.rate[..., :3])
-    put("touch_force", record.force[..., :3])
-    put("drive_force", record.drive[..., :3])
-    put("touching", record.touching)
-    return data | _device_variables(touching, record, order, "tool")
+    found = {
+        "tool_position": record.place[..., :3],
+        "tool_velocity": record.rate[..., :3],
+        "touch_force": record.force[..., :3],
+        "drive_force": record.drive[..., :3],
+        "touching": record.touching,
+    }
+    own = {name: (("tool", "step", "axis")[: values.ndim], values[order]) for name, values in found.items()}
+    return own | _device_variables(touching, record, order, "tool")
 
 
 def leading_variables(prepared: Prepared, outcome: Outcome) -> _Data:
@@ -88,12 +86,8 @@ def leading_variables(prepared: Prepared, outcome: Outcome) -> _Data:
 def _device_variables(touching: Touching, record: ToolRecord, order: npt.NDArray[np.int_], dimension: str) -> _Data:
     """What devices and couplings did; empty where there are none."""
     held = touching.couplings.device[order] >= 0
-    data: _Data = {}
-
-    def put(name: str, values: Float) -> None:
-        values = values[order]
-        values = np.where(held.reshape(-1, *(1,) * (values.ndim - 1)), values, np.nan)
-        data[name] = ((dimension, "step", "axis")[: values.ndim], values)
+    if not held.any():
+        return {}
 
     def bound(tool: int) -> float:
         fastest, longest = (float(ledger[name][tool].max()) for name in ("fastest", "longest"))
@@ -109,22 +103,28 @@ def _device_variables(touching: Touching, record: ToolRecord, order: npt.NDArray
             unpaid=unpaid,
         )
 
-    if not held.any():
-        return data
     ledger = {name: record.device_ledger[index] for index, name in enumerate(DEVICE_LEDGER)}
-    put("device_position", record.device_place[..., :3])
-    put("device_force", record.device_force[..., :3])
-    put("device_work", ledger["work"])
-    put("human_work", ledger["human"])
-    put("device_loss", np.sum([ledger[name] for name in _LOSSES], axis=0))
-    put("device_energy", np.sum([ledger[name] for name in _ENERGIES], axis=0))
-    put("device_residual", ledger["residual"])
-    put("coupling_work", record.coupling[0])
-    put("coupling_energy", ledger["tank"] + record.coupling[3])
-    put("coupling_excess", record.coupling[1])
     limits = [bound(int(tool)) if touching.couplings.device[tool] >= 0 else np.nan for tool in range(order.size)]
-    put("coupling_bound", np.array(limits))
-    return data
+    found = {
+        "device_position": record.device_place[..., :3],
+        "device_force": record.device_force[..., :3],
+        "device_work": ledger["work"],
+        "human_work": ledger["human"],
+        "device_loss": np.sum([ledger[name] for name in _LOSSES], axis=0),
+        "device_energy": np.sum([ledger[name] for name in _ENERGIES], axis=0),
+        "device_residual": ledger["residual"],
+        "coupling_work": record.coupling[0],
+        "coupling_energy": ledger["tank"] + record.coupling[3],
+        "coupling_excess": record.coupling[1],
+        "coupling_bound": np.array(limits),
+    }
+    return {
+        name: (
+            (dimension, "step", "axis")[: values.ndim],
+            np.where(held.reshape(-1, *(1,) * (values.ndim - 1)), values[order], np.nan),
+        )
+        for name, values in found.items()
+    }
 
 
 def tool_attributes(data: _Data) -> dict[str, float]:

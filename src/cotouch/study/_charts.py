@@ -137,8 +137,7 @@ def held_and_released(found: Experiment) -> "Figure":
                     fontsize=7.0,
                 )
         top.set_title(f"{word}: {trial.links}")
-        bottom.set_xlabel("Time / s")
-        bottom.set_xlim(0.0, DURATION)
+        bottom.set(xlabel="Time / s", xlim=(0.0, DURATION))
     panels[0, 0].set_ylabel("Position / mm")
     panels[1, 0].set_ylabel("Force / N")
     panels[2, 0].set_ylabel("Sum of forces / N")
@@ -160,8 +159,7 @@ def claims(found: Theorem) -> "Figure":
     for name, label, color in (("free", "K = 0", _FAST), ("grounded", f"K = {found.stiffness:g} N/m", _SLOW)):
         time, offset = found.released[name]["time"].values[0], found.offsets[name]
         left.plot(*drawing.decimate(time, offset), color=color, label=label)
-    left.set_yscale("log")
-    left.set(title="Item 2: released", ylabel="‖[P + I⊗K/N](x − x_d)‖ / N")
+    left.set(yscale="log", title="Item 2: released", ylabel="‖[P + I⊗K/N](x − x_d)‖ / N")
     left.legend(loc="lower left")
 
     run = found.held
@@ -211,9 +209,11 @@ def thresholds(found: Bound) -> "Figure":
             fontsize=7.5,
         )
     roots.axhline(0.0, color=drawing.MUTED, linewidth=0.8)
-    roots.set_xscale("log")
     roots.set(
-        xlabel="Damping, share of the rule", ylabel="Rightmost root / (1/s)", title="Where the closed loop stands"
+        xscale="log",
+        xlabel="Damping, share of the rule",
+        ylabel="Rightmost root / (1/s)",
+        title="Where the closed loop stands",
     )
     ticks = [0.1, found.critical, 0.3, found.exact]
     roots.set_xticks(ticks, labels=["0.1", f"{found.critical:.2f}", "0.3", f"{found.exact:.2f}"])
@@ -241,9 +241,13 @@ def thresholds(found: Bound) -> "Figure":
         stored = run["stored"].values
         floor = 1e-16 * float(stored[0])
         energies.plot(*drawing.decimate(run["tick_time"].values, np.maximum(stored, floor)), color=color, label=label)
-    energies.set_yscale("log")
-    energies.set(xlabel="Time / s", ylabel="Stored energy / J", title="Energy of copies and links")
-    energies.set_ylim(1e-13, None)
+    energies.set(
+        yscale="log",
+        xlabel="Time / s",
+        ylabel="Stored energy / J",
+        title="Energy of copies and links",
+        ylim=(1e-13, None),
+    )
     energies.legend(loc="upper left", fontsize=7.0)
     return figure
 
@@ -307,18 +311,22 @@ def ages(found: Modes) -> "Figure":
         pick = np.unique(np.round(old.size * (1.0 - np.geomspace(1.0, 1.0 / old.size, 500))).astype(np.int64))
         pick = pick[pick < old.size]
         fraction.plot(old[pick], rank[pick], color=color, drawstyle="steps-pre")
-    over.set_yscale("log")
     over.set(
+        yscale="log",
         xlabel="Time / s",
         ylabel="Age / s",
         title=f"One direction: {found.direction.replace('<-', ' ← ')}",
         xlim=(0, DURATION),
+        ylim=(0.02, None),
     )
-    over.set_ylim(0.02, None)
-    fraction.set_xscale("log")
-    fraction.set_yscale("log")
-    fraction.set(xlabel="Age / s", ylabel="Share of samples that are older", title="All directions")
-    fraction.set_ylim(1e-4, 1.2)
+    fraction.set(
+        xscale="log",
+        yscale="log",
+        xlabel="Age / s",
+        ylabel="Share of samples that are older",
+        title="All directions",
+        ylim=(1e-4, 1.2),
+    )
     figure.legend(loc="outside upper right", ncols=len(found.ways))
     return figure
 

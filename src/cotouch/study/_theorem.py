@@ -95,20 +95,12 @@ class Theorem:
     agreed: float
     translation: float
 
-    @property
-    def stiffer(self) -> tuple[float, ...]:
-        """How many times as stiff the links of `single` are."""
-        return _STIFFER
-
-    @property
-    def stiffness(self) -> float:
-        """K of the grounded object [N/m]."""
-        return _STIFFNESS
-
-    @property
-    def rest(self) -> float:
-        """x_d of the object [m]."""
-        return _REST
+    stiffer = _STIFFER
+    """How many times as stiff the links of `single` are."""
+    stiffness = _STIFFNESS
+    """K of the grounded object [N/m]."""
+    rest = _REST
+    """x_d of the object [m]."""
 
     @property
     def chain_rest(self) -> Float:

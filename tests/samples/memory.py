@@ -7,8 +7,7 @@ from typing import final
 import numpy as np
 
 from cotouch.errors import SessionError
-from cotouch.samples._emulated_path import EmulatedPath, PathLaw
-from cotouch.samples._transport import MOST_BYTES, Arrival, Traffic
+from cotouch.samples import MOST_BYTES, Arrival, EmulatedPath, PathLaw, Traffic
 
 
 @final
@@ -139,7 +138,7 @@ class MemoryTransport:
             return True
         return False
 
-    def capacity(self, neighbour: int) -> float:  # noqa: ARG002
+    def capacity(self, neighbour: int) -> float:
         """Nothing is known here of what a path bears."""
         return float("inf")
 

@@ -6,10 +6,9 @@ from collections import Counter
 from typing import final
 
 import numpy as np
+from tests.control.inside import WINDOW
 
-from cotouch.control._control import Relayed, SignedMessage
-from cotouch.control._presence import WINDOW, Presence
-from cotouch.control._sign import MessageReader, MessageRefusal, MessageWriter
+from cotouch.control import MessageReader, MessageRefusal, MessageWriter, Presence, Relayed, SignedMessage
 from cotouch.errors import SessionError
 from cotouch.samples import MOST_BYTES, EmulatedPath, Identity, PathLaw
 
