@@ -39,8 +39,7 @@ if TYPE_CHECKING:
         summary,
         tables,  # pyright: ignore[reportUnknownVariableType]
     )
-
-__version__ = "0.1.0"
+    from cotouch.version import __version__
 
 _HOME = {
     "Body": "cotouch.body",
@@ -60,6 +59,7 @@ _HOME = {
     "SessionError": "cotouch.errors",
     "TransportError": "cotouch.errors",
     "UnsupportedError": "cotouch.errors",
+    "__version__": "cotouch.version",
     "body_from_surface": "cotouch.body",
     "body_from_tetrahedra": "cotouch.body",
     "certify": "cotouch.network",

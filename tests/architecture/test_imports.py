@@ -72,7 +72,7 @@ def private_imports(nodes: Iterable[ast.AST]) -> Iterator[tuple[str, str, str]]:
             package, _, rest = module.partition(".")
             room = rest.partition(".")[0]
             hidden = f"{rest}.{name}".removesuffix(".").split(".")[1:]
-            if package == "cotouch" and room and any(part.startswith("_") for part in hidden):
+            if package == "cotouch" and room and any(part.startswith("_") and part != "__version__" for part in hidden):
                 yield room, module, name
 
 

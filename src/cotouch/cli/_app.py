@@ -26,7 +26,7 @@ app = typer.Typer(
 
 def _version(wanted: bool) -> None:
     if wanted:
-        from cotouch import __version__
+        from cotouch.version import __version__
 
         typer.echo(f"cotouch {__version__}")
         raise typer.Exit

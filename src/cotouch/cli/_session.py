@@ -121,11 +121,11 @@ def join(
         port: to listen at; None: the next that is free.
         page_listen: address of the page.
     """
-    from cotouch import __version__
     from cotouch.control import Invitation
     from cotouch.members import Participation
     from cotouch.session import identity_folder
     from cotouch.session import join as take_part
+    from cotouch.version import __version__
 
     device = hand if hand not in {"scripted", "none"} else None
     if device is not None:

@@ -70,7 +70,7 @@ def compare(
         ScenarioError: there are more than 100,000 cells, or nothing of the study can be run.
         OutputError: results cannot be kept.
     """
-    from cotouch import __version__
+    from cotouch.version import __version__
 
     kept = None if store is None else Store(store, source_of(score))
     named: _Named = {"jobs": jobs, "dask": dask, "store": kept, "progress": progress}

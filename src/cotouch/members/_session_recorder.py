@@ -8,7 +8,6 @@ from typing import final
 
 import numpy as np
 
-from cotouch import __version__
 from cotouch.arrays import Array
 from cotouch.errors import RecordingError
 from cotouch.members._file import SessionFile
@@ -29,6 +28,7 @@ from cotouch.recording import (
     RecordHeader,
     both_clocks,
 )
+from cotouch.version import __version__
 
 _LEDGER = [(name, "lost" if name == "discarded" else name) for name in (*GUARDS, *EXCHANGE)]
 

@@ -275,7 +275,7 @@ def _hand_forces(prepared: Prepared, force: Float, axes: int) -> Float:
 
 
 def _attributes(prepared: Prepared, outcome: Outcome, ticks: int) -> dict[str, object]:
-    from cotouch import __version__
+    from cotouch.version import __version__
 
     ledger = outcome.record.ticks[:, :ticks]
     timing, scenario = prepared.schedule, prepared.scenario

@@ -201,7 +201,8 @@ def _write_up(
     confirmed: bool,
     made: Section,
 ) -> str:
-    from cotouch import __version__, drawing
+    from cotouch import drawing
+    from cotouch.version import __version__
 
     with drawing.style():
         return page(

@@ -9,9 +9,9 @@ from collections.abc import Callable, Coroutine, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, Final, final
 
-from cotouch import __version__
 from cotouch.errors import CotouchError, PageError
 from cotouch.observers import Command, CopyView, MoveHand, SessionApi, SetDamping
+from cotouch.version import __version__
 from cotouch.web._access import Access
 from cotouch.web._control import Control
 from cotouch.web._frames import FrameEncoder
