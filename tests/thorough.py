@@ -196,6 +196,7 @@ QUICK: Mapping[str, tuple[str, ...]] = {
     "simulation/test_bodies.py::test_a_tool_that_pushes_one_body_leaves_another_at_rest": (),
     "simulation/test_bodies.py::test_peers_come_to_the_same_bits": ("paid",),
     "simulation/test_bodies.py::test_several_are_cut_in_every_world_to_the_same_bits": ("peers",),
+    "simulation/test_bodies.py::test_what_is_pressed_into_itself_comes_out_as_soon_as_its_grasp_pulls": (),
     "simulation/test_contact.py::test_both_engines_touch_alike_and_balance_it": ("linear",),
     "simulation/test_cutting_beside_tools.py::test_a_blade_cuts_what_a_plate_presses": (),
     "simulation/test_examples.py::test_energy_balances_and_everything_is_passive": ("alone", "squeeze", "two_rates"),
