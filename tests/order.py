@@ -51,6 +51,7 @@ _ROOMS = (
     "body",
     "device",
     "drawing",
+    "interaction",
     "laboratory",
     "laws",
     "mechanics",

@@ -37,11 +37,11 @@ def dispatchers() -> dict[Path, list[Any]]:
     for module in pkgutil.walk_packages([str(PACKAGE)], "cotouch."):
         if module.name.split(".")[1] in {
             "device",
+            "interaction",
             "laws",
             "mechanics",
             "network",
             "planning",
-            "scenario",
             "simulation",
         }:
             for value in vars(importlib.import_module(module.name)).values():

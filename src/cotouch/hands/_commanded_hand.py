@@ -18,16 +18,11 @@ from cotouch.hands._led import LedTool
 from cotouch.hands._motion import Mover, Wander
 from cotouch.hands._posed import PosedTools
 from cotouch.hands._shown import write_hand
+from cotouch.interaction import grip
 from cotouch.mechanics import AWAY
 from cotouch.members import Slot, SlotHand, grips_of, no_ports
 from cotouch.observers import HandCommand, HandMode, size_of
-from cotouch.scenario import (
-    RigidTool,
-    Scenario,
-    grip,
-    ports_of,
-    with_tools,
-)
+from cotouch.scenario import RigidTool, Scenario, ports_of, with_tools
 
 # A pointer that holds or pushes and is not heard of for so long has gone [s].
 SILENCE = 1.0

@@ -8,22 +8,12 @@ import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.body import Body
+from cotouch.interaction import Touching, after_step_alone, before_step_alone, grip, tools_of
 from cotouch.mechanics import Contact, Model, Ports, Surface, Tools, idle_ports, own_ports
 from cotouch.members._device_table import DeviceTable
 from cotouch.members._file import SessionFile
 from cotouch.members._shared_model import SharedModel
-from cotouch.scenario import (
-    Scenario,
-    ToolTable,
-    Touching,
-    after_step_alone,
-    before_step_alone,
-    grip,
-    ports_of,
-    tools_of,
-    touching_of,
-    with_tools,
-)
+from cotouch.scenario import Scenario, ToolTable, ports_of, touching_of, with_tools
 
 
 @final

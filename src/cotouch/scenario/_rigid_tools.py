@@ -14,8 +14,8 @@ import numpy as np
 from cotouch.arrays import Float, Int
 from cotouch.body import SIGNS, Body, Part, Placed, ToolBody, scaled, shares_of, turning
 from cotouch.errors import ScenarioError
+from cotouch.interaction import Hands
 from cotouch.mechanics import Model
-from cotouch.scenario._hands import Hands
 from cotouch.scenario._rigid_tool_table import PoseHand, RigidToolTable
 
 # Between waypoints the four points go straight for at most such an angle [rad], so that they keep their distances to

@@ -20,6 +20,7 @@ from cotouch.device import (
     sure_force,
 )
 from cotouch.errors import BodyError, DeviceError, ScenarioError
+from cotouch.interaction import Hands, Touching
 from cotouch.mechanics import (
     BLADE,
     END,
@@ -38,10 +39,8 @@ from cotouch.mechanics import (
     tools,
     unseen_place,
 )
-from cotouch.scenario._hands import Hands
 from cotouch.scenario._penetration import resolve_penetration
 from cotouch.scenario._tool_tables import DEFAULT_RATE, ContactTable, SimulatedDeviceTable, ToolHand, ToolTable
-from cotouch.scenario._touching import Touching
 
 _KINDS = {"touch": TOUCHING, "grasp": GRASP, "blade": BLADE}
 # Ticks from a coupling's decision until its force acts: as a real servo, which decides while the force before acts.

@@ -9,10 +9,10 @@ import numpy as np
 
 from cotouch.arrays import Float, Int, Long
 from cotouch.errors import ScenarioError
+from cotouch.interaction import ToolRecord, Touching, tool_record, tools_of
 from cotouch.interrupt import check, flag
 from cotouch.mechanics import BLADE, LEDGER_COLUMNS, Links, State, cutting_of, idle_ports, own_ports, unsettled
 from cotouch.passing import Each
-from cotouch.scenario import ToolRecord, Touching, tool_record, tools_of
 from cotouch.simulation._ends import Ends
 from cotouch.simulation._engine import run
 from cotouch.simulation._law_setup import ends_of

@@ -8,6 +8,19 @@ step; with own rates it stays an exact balance, because every joule is booked by
 # pyright: reportArgumentType=false, reportReturnType=false
 
 from cotouch.compiled import raised
+from cotouch.interaction import (
+    Hands,
+    Leading,
+    ToolRecord,
+    Touching,
+    after_step,
+    before_step,
+    begin_lead,
+    end_lead,
+    grip,
+    keep_tools,
+    proxy_energy,
+)
 from cotouch.mechanics import (
     BETA,
     BODY_LOSS,
@@ -44,19 +57,6 @@ from cotouch.mechanics import (
     put,
     settle,
     step,
-)
-from cotouch.scenario import (
-    Hands,
-    Leading,
-    ToolRecord,
-    Touching,
-    after_step,
-    before_step,
-    begin_lead,
-    end_lead,
-    grip,
-    keep_tools,
-    proxy_energy,
 )
 from cotouch.simulation._cuts import cut_away
 from cotouch.simulation._ends import Ends, ask, tell

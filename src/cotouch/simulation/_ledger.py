@@ -2,6 +2,7 @@
 # An array indexed by an element of another is a number to numba and an array to numpy's types.
 # pyright: reportArgumentType=false, reportReturnType=false
 
+from cotouch.interaction import Hands
 from cotouch.mechanics import (
     ITERATIONS,
     WEIGHTS,
@@ -16,9 +17,6 @@ from cotouch.mechanics import (
     splat,
     store,
     total,
-)
-from cotouch.scenario import (
-    Hands,
 )
 from cotouch.simulation._layout import (
     SLOT_DELAY_WORK,

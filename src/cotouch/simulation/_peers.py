@@ -12,6 +12,15 @@ from typing import final
 import numpy as np
 
 from cotouch.arrays import Float
+from cotouch.interaction import (
+    Touching,
+    after_step_alone,
+    before_step_alone,
+    begin_lead_alone,
+    end_lead_alone,
+    grip,
+    tools_of,
+)
 from cotouch.interrupt import check
 from cotouch.mechanics import idle_ports, own_ports
 from cotouch.peer import (
@@ -26,15 +35,6 @@ from cotouch.peer import (
     Peer,
     Sample,
     StepReport,
-)
-from cotouch.scenario import (
-    Touching,
-    after_step_alone,
-    before_step_alone,
-    begin_lead_alone,
-    end_lead_alone,
-    grip,
-    tools_of,
 )
 from cotouch.simulation._coding import age_budget
 from cotouch.simulation._prepare import Prepared

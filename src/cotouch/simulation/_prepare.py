@@ -10,15 +10,13 @@ from pydantic import ValidationError
 from cotouch.arrays import Float, Int
 from cotouch.body import Body
 from cotouch.errors import ScenarioError
+from cotouch.interaction import Hands, Leading, Touching
 from cotouch.mechanics import Model, model
 from cotouch.network import damping_for
 from cotouch.scenario import (
-    Hands,
     HandTable,
-    Leading,
     RigidTool,
     Scenario,
-    Touching,
     leading_of,
     per_user,
     ports_of,

@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.device import DEVICE_LEDGER, excess_bound
-from cotouch.scenario import ToolRecord, Touching
+from cotouch.interaction import ToolRecord, Touching
 from cotouch.simulation._batch import Outcome
 from cotouch.simulation._prepare import Prepared
 

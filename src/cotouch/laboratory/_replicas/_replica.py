@@ -13,9 +13,9 @@ import numpy as np
 from cotouch.arrays import Float, Int, Long
 from cotouch.compiled import routine, subroutine
 from cotouch.errors import ScenarioError
+from cotouch.interaction import Hands, grip
 from cotouch.laws import Law, law_named
 from cotouch.mechanics import Ports, idle_ports
-from cotouch.scenario import Hands, grip
 from cotouch.simulation import Prepared
 
 

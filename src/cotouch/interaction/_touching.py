@@ -16,9 +16,9 @@ from cotouch.device import (
     command_device,
     pull_proxy,
 )
+from cotouch.interaction._hands import Hands, grip
 from cotouch.mechanics import AWAY, FOUR, Contact, Ports, Surface, Tools, at, block, load, own_tools, part, put, store
 from cotouch.passing import by_address
-from cotouch.scenario._hands import Hands, grip
 
 
 @by_address
