@@ -2,10 +2,10 @@
 
     python tests/run.py [--thorough]
 
-What waits in real time leaves most of a machine idle, so everything else runs beside it. Beside what must come within
-milliseconds that is what only computes, and it runs only while nothing else wants a core. Beside other real sessions
-and networks, which have patience for seconds, it is what is left of that, and then the rest, with a tenth of their
-weight: nothing there has to wait so long that it gives up.
+What waits in real time leaves most of a machine idle, so everything else runs beside it. What only computes does so
+from beginning to end, and only while nothing else wants a core: not even what must come within milliseconds notices.
+The rest begins beside other real sessions and networks, which have patience for seconds, with a tenth of their weight:
+nothing there has to wait so long that it gives up.
 """
 
 import contextlib
@@ -51,28 +51,31 @@ def both(
     others: Sequence[tuple[Command, Callable[[], None]]],
     after: "subprocess.Popen[bytes] | None" = None,
 ) -> tuple[list[int], list[int]]:
-    """Runs two rows of commands beside each other; what the first row says comes when all is done.
+    """Runs commands beside others; what any but the first of the others says comes when all is done.
 
     Args:
         timed: what others make room for, one after the other.
-        others: what gives way to it, and how. The second begins only once the first of the timed is done, and so on.
+        others: what gives way to it, and how. The first begins at once, the second as soon as the first of the timed is
+            done, and so on.
         after: none of the timed begins before this has ended.
 
     Returns:
         Their codes, the others' first.
     """
-    rows: list[list[tuple[Command, Callable[[], None] | None]]] = [[*others], [(command, None) for command in timed]]
-    running: list[subprocess.Popen[bytes] | None] = [None, None]
-    codes: tuple[list[int], list[int]] = ([], [])
-    with tempfile.TemporaryFile() as said:
+    plain: list[tuple[Command, Callable[[], None] | None]] = [(command, None) for command in timed]
+    rows = [plain, *([other] for other in others)]
+    running: list[subprocess.Popen[bytes] | None] = [None] * len(rows)
+    codes: list[list[int]] = [[] for _ in rows]
+    with contextlib.ExitStack() as files:
+        words = [files.enter_context(tempfile.TemporaryFile()) for _ in rows]
         try:
-            while any(len(codes[row]) < len(rows[row]) for row in (0, 1)):
-                for row in (0, 1):
-                    process, at = running[row], len(codes[row])
-                    free = (after is None or after.poll() is not None) if row else len(codes[1]) >= at
+            while any(len(codes[row]) < len(rows[row]) for row in range(len(rows))):
+                for row, process in enumerate(running):
+                    at = len(codes[row])
+                    free = len(codes[0]) >= row - 1 if row else after is None or after.poll() is not None
                     if process is None and at < len(rows[row]) and free:
                         command, polite = rows[row][at]
-                        out, errors = (said, subprocess.STDOUT) if row else (None, None)
+                        out, errors = (None, None) if row == 1 else (words[row], subprocess.STDOUT)
                         running[row] = subprocess.Popen(
                             command,
                             cwd=ROOT,
@@ -93,11 +96,12 @@ def both(
                 process.wait(_LAST_WORDS)
             raise
         finally:
-            said.seek(0)
             sys.stdout.flush()
-            sys.stdout.buffer.write(said.read())
+            for said in words:
+                said.seek(0)
+                sys.stdout.buffer.write(said.read())
             sys.stdout.flush()
-    return codes
+    return [code for row in codes[1:] for code in row], codes[0]
 
 
 def main(options: Sequence[str]) -> int:

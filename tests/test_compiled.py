@@ -129,7 +129,7 @@ def test_an_edit_changes_the_stamp_of_what_it_concerns(name: str, concerned: set
         ),
         ("if True:\n    from cotouch.network._loop import Loop", {"network/_loop.py"}, False),
         ("from cotouch import drawing", {"drawing/_style.py"}, False),
-        ("from cotouch import simulate", {"simulation/_engine.py"}, True),
+        ("from cotouch import simulate", {"simulation/_engine.py"}, False),
         ("import cotouch.laws", {"laws/_end.py"}, True),
         ("# from cotouch import simulate\nimport numpy", set[str](), False),
     ],

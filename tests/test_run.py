@@ -20,17 +20,17 @@ def test_both_codes_are_told():
     assert both([timed], [(others, give_way)]) == ([3], [2])
 
 
-def test_the_second_of_the_others_waits_for_the_first_of_the_timed(tmp_path: Path):
-    """It may be what nothing timed can bear; the second of those begins as soon as the first is done."""
+def test_the_second_of_the_others_waits_for_the_first_of_the_timed_and_for_nothing_else(tmp_path: Path):
+    """It may be what the first of the timed cannot bear; the first of the others goes on beside it."""
 
     def noted(name: str, wait: float) -> list[str]:
         return [*PYTHON, f"import time; log = open({str(tmp_path / 'log')!r}, 'a'); log.write('{name} begins\\n'); "
                 f"log.flush(); time.sleep({wait}); log.write('{name} ends\\n')"]  # fmt: skip
 
-    timed, others = [noted("one", 0.6), noted("two", 1.2)], [noted("first", 0.1), noted("second", 0.1)]
+    timed, others = [noted("one", 0.6), noted("two", 1.2)], [noted("first", 1.5), noted("second", 0.1)]
     assert both(timed, [(command, give_way) for command in others]) == ([0, 0], [0, 0])
     lines = (tmp_path / "log").read_text().splitlines()
-    order = [lines.index(line) for line in ("first ends", "one ends", "second begins", "second ends", "two ends")]
+    order = [lines.index(line) for line in ("first begins", "one ends", "second begins", "second ends", "first ends")]
     assert order == sorted(order)
     assert lines.index("one ends") < lines.index("two begins") < lines.index("two ends")
 

@@ -27,9 +27,15 @@ def join_deep(world: World | None, mass: Float, mean: Float, lanes: tuple[int, .
     """
     if world is None:
         return False
-    m, found = world.bodies, False
+    return _join_all(world, world.bodies, mass, mean, lanes)
+
+
+@part
+def _join_all(world: World, m: Meeting | None, mass: Float, mean: Float, lanes: tuple[int, ...]) -> bool:
+    """`join_deep`; of arguments alone the compiler knows which are None."""
     if m is None:
         return False
+    found = False
     for _ in range(_SWEEPS):
         for e in range(at(m.entries, 1)):
             if at(m.began, (e, 0)) > 0.0 and at(m.face, (e, 3)) == FAR_SIDE:
