@@ -12,7 +12,7 @@ from cotouch.haptics import Device, DeviceReading, TorqueDevice
 
 PUSH = np.array([1.0, -0.5, 0.25])
 TWIST = np.array([0.01, 0.02, -0.04])
-STALLS = ("ms for a cycle", "does not tick", "did not answer")
+STALLS = ("ms for a cycle", "no longer ticks", "does not tick", "did not answer")
 
 
 def stalled(error: BaseException) -> bool:

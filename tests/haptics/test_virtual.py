@@ -95,15 +95,15 @@ def test_beyond_its_limit_it_would_make_energy_and_the_account_stops_it(monkeypa
     assert min(ran.fractions) < 0.5
     assert ran.excess <= ran.bound
     # Without the account it gives more than that bound: the scenario is one that counts.
-    honest = End.run
+    honest = End._run
 
     def rich(end: End, *given) -> object:
-        end.row[[END.energy, END.initial]] += 1e3
+        end._row[[END.energy, END.initial]] += 1e3
         acts = honest(end, *given)
-        end.row[[END.energy, END.initial]] -= 1e3
+        end._row[[END.energy, END.initial]] -= 1e3
         return acts
 
-    monkeypatch.setattr(End, "run", rich)
+    monkeypatch.setattr(End, "_run", rich)
     ran = rung()
     assert ran.excess > ran.bound
     assert any(report.causes & Cause.ACTIVE for report in ran.reports)  # the observer then ends it
