@@ -133,7 +133,7 @@ def main(options: Sequence[str]) -> int:
             preexec_fn=give_way,  # noqa: PLW1509
         )
         warm = subprocess.Popen([sys.executable, "tests/warm_up.py"], cwd=ROOT, preexec_fn=give_way)  # noqa: PLW1509
-        check: Command = ["make", "--no-print-directory", "check"]
+        check: Command = ["make", "--no-print-directory", "check", "THREADS=1"]
         (checked,), (first,) = both([early], [(check, give_way)])
         if checked:
             return checked
