@@ -201,8 +201,8 @@ def test_what_turns_a_tool_is_the_couplings_with_a_device_that_renders_torques(t
     found = [read_recording(path) for path in world.recordings]
     assert audit(found).holds
     ours = found[0].columns
-    assert hold._twisted.work > 1e-3
-    assert ours["supplied"].sum() == pytest.approx(hold._end.work + hold._twisted.work, rel=1e-12)
+    assert hold._twisted.end.work > 1e-3
+    assert ours["supplied"].sum() == pytest.approx(hold._end.work + hold._twisted.end.work, rel=1e-12)
     force = ours["force"].copy()
     force[:, 1] *= 1.01
     assert not audit([replace(found[0], columns={**ours, "force": force}), found[1]]).holds

@@ -7,6 +7,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 from playwright.sync_api import Browser, Page
+from tests.simulation.browser import UNHURRIED
 from tests.web.fake_session_api import FakeSessionApi, Kind
 
 from cotouch.observers import MoveHand, Pointer
@@ -48,6 +49,7 @@ class Shown:
         context.set_default_timeout(PATIENCE)
         context.add_init_script(BEFORE)
         context.add_init_script(POINTED)
+        context.add_init_script(UNHURRIED)
         if script is not None:
             context.add_init_script(script)
         page = context.new_page()

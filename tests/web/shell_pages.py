@@ -5,6 +5,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from playwright.sync_api import Browser, Page
+from tests.simulation.browser import UNHURRIED
 from tests.web.fake_session_api import FakeSessionApi, Kind
 
 from cotouch.web import PageServer
@@ -46,6 +47,7 @@ class World:
         if not first:
             context.add_init_script(BEFORE)
         context.add_init_script(LOOKS)
+        context.add_init_script(UNHURRIED)
         page = context.new_page()
         self.pages.append(page)
         page.on("console", lambda said: self.complaints.append(f"{said.type}: {said.text}"))

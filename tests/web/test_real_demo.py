@@ -11,7 +11,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 from playwright.sync_api import Page
-from tests.simulation.browser import DRAWN, browser
+from tests.simulation.browser import DRAWN, UNHURRIED, browser
 from tests.web.pictures import BEFORE, spot, until
 from tests.web.shell_pages import choose, words
 
@@ -112,6 +112,7 @@ def test_a_session_is_held_cut_killed_and_watched_from_a_page(tmp_path: Path) ->
         context = running.new_context(viewport={"width": 1024, "height": 600})
         context.set_default_timeout(PATIENCE)
         context.add_init_script(BEFORE)
+        context.add_init_script(UNHURRIED)
         page = opened(context, address, said, asked)
         until(page, JOINED)
         for slot in range(USERS):

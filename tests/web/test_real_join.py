@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from playwright.sync_api import Page
-from tests.simulation.browser import FLAT, browser
+from tests.simulation.browser import FLAT, UNHURRIED, browser
 from tests.web.parties import PATIENCE, party
 from tests.web.pictures import BEFORE, spot, until
 from tests.web.shell_pages import words
@@ -22,6 +22,7 @@ def opened(running: Any, address: str, said: list[str]) -> Page:
     context = running.new_context(viewport={"width": 1024, "height": 600})
     context.set_default_timeout(1e3 * PATIENCE)
     context.add_init_script(BEFORE)
+    context.add_init_script(UNHURRIED)
     page = context.new_page()
     page.on("pageerror", lambda error: said.append(str(error)))
     page.goto(address)

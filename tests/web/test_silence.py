@@ -10,6 +10,7 @@ from contextlib import contextmanager
 
 import pytest
 from playwright.sync_api import Browser, Page
+from tests.simulation.browser import UNHURRIED
 from tests.web.fake_session_api import FakeSessionApi
 from tests.web.shell_pages import BEFORE, PATIENCE, READY, World, grab, words, world
 from tests.web.visitor import visit
@@ -40,6 +41,7 @@ def opened(running: Browser, address: str) -> Page:
     context = running.new_context(viewport={"width": 1280, "height": 720})
     context.set_default_timeout(PATIENCE)
     context.add_init_script(BEFORE)
+    context.add_init_script(UNHURRIED)
     page = context.new_page()
     page.goto(address)
     page.wait_for_function(READY)
