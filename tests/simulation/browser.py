@@ -21,8 +21,8 @@ SOFTWARE = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 # The same, with all but WebGL drawn as if there were none: many times as fast.
 DRAWN = [*SOFTWARE, "--disable-gpu-rasterization", "--disable-accelerated-2d-canvas"]
 FLAT = ["--disable-gpu"]
-# Eight pictures a second are enough where none is counted. Sixty, without a graphics card, took a core and a half for as
-# long as a page was open.
+# Eight pictures a second are enough where none is counted. Sixty, without a graphics card, took a core and a half for
+# as long as a page was open.
 UNHURRIED = """{
   const draw = window.requestAnimationFrame.bind(window), drop = window.cancelAnimationFrame.bind(window);
   const waiting = new Map(), drawing = new Map();
