@@ -105,7 +105,7 @@ def both(
 
 
 def main(options: Sequence[str]) -> int:
-    """Compiles the kernels while all is checked and tests run that need none; then the others, in two parts.
+    """Compiles the kernels while all is checked and tests run that need none; then runs the others beside each other.
 
     Args:
         options: of pytest besides.

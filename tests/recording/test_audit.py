@@ -363,6 +363,7 @@ def with_tools(folder: Path) -> list[Path]:
 
 
 def recorded_world(scenario: Scenario, folder: Path) -> list[Path]:
+    assert scenario.network.size == 1 or scenario.law[0] == "spring", "links of other laws are not springs"
     from cotouch.recording import RecordedBody, Recorder, RecordHeader
 
     prepared = prepare(scenario)
