@@ -210,3 +210,12 @@ def test_a_member_loads_nothing_heavy_that_it_does_not_need():
 def test_no_file_is_longer_than_one_reads() -> None:
     longest = {str(path.relative_to(ROOT)): len(path.read_text().splitlines()) for path in PACKAGE.rglob("*.py")}
     assert {name: lines for name, lines in longest.items() if lines > 400} == {}
+
+
+def test_scenarios_are_tables_and_no_kernels():
+    """What is compiled is in rooms below: tables can be read without it."""
+    compiled = {"kernel", "part", "block", "inner", "outlined", "subroutine", "by_address"}
+    for file in sorted((PACKAGE / "scenario").glob("*.py")):
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.FunctionDef | ast.ClassDef):
+                assert not {ast.unparse(one) for one in node.decorator_list} & compiled, (file.name, node.name)
