@@ -84,6 +84,8 @@ WAITING = (
 COMPUTING = (
     "mechanics/test_force.py",
     "simulation/test_bodies.py",
+    "simulation/test_tools_side_by_side.py",
+    "simulation/test_long_steps.py",
     "hands/test_commanded_hand.py",
     "session/test_cut_bodies.py",
     "session/test_heavy.py",

@@ -122,7 +122,9 @@ def main(options: Sequence[str]) -> int:
     early, late = (
         [*pytest, *(f"tests/{name}" for name in PATIENT if name.startswith(PLAIN) == early)] for early in (True, False)
     )
-    workers = max(2, len(os.sched_getaffinity(0)))
+    # One more than cores: of those that compute one may wait for what another compiles, and the others mostly wait for
+    # processes and browsers.
+    workers = str(max(2, len(os.sched_getaffinity(0))) + 1)
     # What pytest makes of each file is kept then: nine processes would make it anew, for eight seconds each.
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     with none_left():
@@ -141,9 +143,8 @@ def main(options: Sequence[str]) -> int:
         computing = [f"tests/{name}" for name in numerical(ROOT / "tests")]
         shared = ["--dist", "loadfile", "--no-loadscope-reorder", "-m", "not timed", "--warm"]
         exact = [*pytest, *(f"tests/{name}" for name in ALONE)]
-        compute = [*pytest, *shared, "-n", str(workers), *computing]
-        # Of these most wait for other processes and browsers.
-        rest = [*pytest, *shared, "-n", str(workers + 1), *(f"--ignore={name}" for name in computing)]
+        compute = [*pytest, *shared, "-n", workers, *computing]
+        rest = [*pytest, *shared, "-n", workers, *(f"--ignore={name}" for name in computing)]
         # The kernels that are still missing may be compiled by what computes: whoever needs one waits for it.
         others, timed = both([exact, late], [(compute, stand_back), (rest, give_way)], after=warm)
         return next(filter(None, (first, *timed, *others)), 0)
