@@ -19,7 +19,7 @@ def test_unknown_types_are_let_pass_at_borders_only() -> None:
         for number, line in enumerate(lines):
             if line.startswith("# pyright:") and "reportUnknown" in line:
                 assert number == 0, path
-                reasons[path.name] = lines[1].removeprefix("# ")
+                reasons[path.relative_to(PACKAGE).as_posix()] = lines[1].removeprefix("# ")
     assert set(reasons.values()) == UNTYPED
     assert len(reasons) <= 8, "numba's border takes two files; fewer each time, not more"
 
