@@ -37,7 +37,7 @@ if TYPE_CHECKING:
         settling_time,
         simulate,
         summary,
-        tables,  # pyright: ignore[reportUnknownVariableType]
+        tables,
     )
     from cotouch.version import __version__
 

@@ -29,7 +29,7 @@ try:
 except ImportError:  # no Unix: each process compiles for itself
     fcntl = None
 
-F = TypeVar("F", bound=Callable[..., Any])
+F = TypeVar("F", bound=Callable[..., object])
 _PACKAGE = Path(__file__).parent
 
 

@@ -31,7 +31,7 @@ boxing: Any = import_module("numba.core.pythonapi")
 templates: Any = import_module("numba.core.typing.templates")
 
 T = TypeVar("T", bound=type)
-Table = TypeVar("Table", bound=tuple[Any, ...])
+Table = TypeVar("Table", bound=tuple[object, ...])
 
 _WORD = 8  # bytes that every number of a table takes
 _BYTES = ir.IntType(8).as_pointer()
@@ -111,11 +111,11 @@ class Each(Generic[Table]):
     def __len__(self) -> int:
         return len(self.tables)
 
-    def __deepcopy__(self, memory: dict[int, Any]) -> "Each[Table]":
+    def __deepcopy__(self, memory: dict[int, object]) -> "Each[Table]":
         return Each(deepcopy(self.tables, memory))
 
 
-def written(table: tuple[Any, ...], first: int = 0) -> Long:
+def written(table: tuple[object, ...], first: int = 0) -> Long:
     """A table in memory as kernels find it there, and behind it the tables that it refers to.
 
     What this refers to by address must be kept as long as it is used: the table's arrays, and this array itself.
@@ -124,7 +124,7 @@ def written(table: tuple[Any, ...], first: int = 0) -> Long:
         table: a NamedTuple of arrays, numbers, such tables and tuples of them.
         first: a word before all of them.
     """
-    words, found = [first], list[tuple[int, tuple[Any, ...]]]()
+    words, found = [first], list[tuple[int, tuple[object, ...]]]()
     starts: list[tuple[int, int]] = []
     _lay(tuple(table), words, found)
     while found:
@@ -137,13 +137,13 @@ def written(table: tuple[Any, ...], first: int = 0) -> Long:
     return memory
 
 
-def _lay(value: Any, words: list[int], found: list[tuple[int, tuple[Any, ...]]]) -> None:
+def _lay(value: object, words: list[int], found: list[tuple[int, tuple[object, ...]]]) -> None:
     """Adds what a field is in memory, and to `found` where the address of which table belongs."""
     if type(value) in _tables:
-        found.append((len(words), value))
+        found.append((len(words), cast("tuple[object, ...]", value)))
         words.append(0)
     elif isinstance(value, tuple):
-        for part in cast("tuple[Any, ...]", value):
+        for part in cast("tuple[object, ...]", value):
             _lay(part, words, found)
     else:
         words.extend([0] if value is None else _words(value))

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -13,7 +13,7 @@ from cotouch.body._body import Body
 from cotouch.body._checks import SumOfSquares, at_least_zero
 from cotouch.body._ground import Held, free_motions, held_nodes, rounded_face
 from cotouch.body._material import Material
-from cotouch.body._origin import Origin
+from cotouch.body._origin import Origin, SourceSaid
 from cotouch.body._pieces import Float
 from cotouch.body._skin import Skin
 from cotouch.errors import BodyError
@@ -35,7 +35,7 @@ def put_together(
     slack: float,
     sets: Mapping[str, Long],
     skin: Skin,
-    origin: dict[str, Any],
+    origin: SourceSaid,
     notes: list[str],
     material: Material | None,
 ) -> Body:

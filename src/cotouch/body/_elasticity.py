@@ -1,14 +1,15 @@
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
-# scikit-fem has no types
 """Stiffness matrices of solids: linear elasticity, and scalar springs that store the same energy in a stretched bar."""
 
-from typing import Any, Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 import scipy.sparse as sp
 
 from cotouch.arrays import Float, Long
 from cotouch.body._cells import CORNERS
+
+if TYPE_CHECKING:
+    from skfem import Basis, DiscreteField
 
 # The twelve edges of a cell, as pairs of its corners.
 EDGES: Final = [(i, j) for i in range(8) for j in range(i + 1, 8) if int(np.abs(CORNERS[i] - CORNERS[j]).sum()) == 1]
@@ -30,10 +31,9 @@ def elastic_tetrahedra(
 
     mesh = MeshTet(np.ascontiguousarray(points.T), np.ascontiguousarray(tetrahedra.T))
     # Strains are constant in an element, so one point integrates them exactly.
-    basis: Any = Basis(mesh, ElementVector(ElementTetP1()), intorder=1)
-    # With one number for each element, beside its one point of integration.
-    values: Any = (np.reshape(each, (-1, 1)) if np.ndim(each) else each for each in (young, poisson))
-    return _by_nodes(linear_elasticity(*lame_parameters(*values)).assemble(basis), basis)
+    basis = Basis(mesh, ElementVector(ElementTetP1()), intorder=1)
+    moduli = lame_parameters(_column(young), _column(poisson))
+    return _by_nodes(linear_elasticity(*moduli).assemble(basis), basis)
 
 
 def springs_of_tetrahedra(points: Float, tetrahedra: Long, *, young: float | Float) -> sp.csr_array:
@@ -51,10 +51,10 @@ def springs_of_tetrahedra(points: Float, tetrahedra: Long, *, young: float | Flo
     from skfem.helpers import dot, grad
 
     mesh = MeshTet(np.ascontiguousarray(points.T), np.ascontiguousarray(tetrahedra.T))
-    basis: Any = Basis(mesh, ElementTetP1(), intorder=1)
-    modulus = np.reshape(young, (-1, 1)) if np.ndim(young) else young
+    basis = Basis(mesh, ElementTetP1(), intorder=1)
+    modulus = _column(young)
 
-    def form(u: Any, v: Any, _: Any) -> Any:
+    def form(u: "DiscreteField", v: "DiscreteField", _: object) -> Float:
         return modulus * dot(grad(u), grad(v))
 
     return sp.csr_array(BilinearForm(form).assemble(basis))
@@ -69,7 +69,7 @@ def springs_along_edges(nodes: int, tetrahedra: Long, *, stiffness: float) -> sp
         stiffness: of one spring [N/m].
     """
     pairs = edges_of(tetrahedra)
-    return _laplacian(nodes, pairs[:, 0], pairs[:, 1], np.full(pairs.shape[0], stiffness))
+    return _laplacian(nodes, pairs[:, 0], pairs[:, 1], np.full(len(pairs), stiffness))
 
 
 def edges_of(tetrahedra: Long) -> Long:
@@ -95,7 +95,7 @@ def elastic_cells(
     from skfem.models.elasticity import lame_parameters, linear_elasticity
 
     cube = MeshHex()
-    basis: Any = Basis(cube, ElementVector(ElementHex1()), intorder=3)
+    basis = Basis(cube, ElementVector(ElementHex1()), intorder=3)
     one = _by_nodes(linear_elasticity(*lame_parameters(young, poisson)).assemble(basis), basis).toarray()
     order = np.array([int(np.argmin(np.abs(cube.p.T - corner).sum(axis=1))) for corner in CORNERS])
     rows = (order[:, None] * 3 + np.arange(3)).ravel()
@@ -176,7 +176,12 @@ def _laplacian(nodes: int, i: Long, j: Long, weights: Float) -> sp.csr_array:
     return sp.csr_array((values, (np.r_[i, j, i, j], np.r_[i, j, j, i])), shape=(nodes, nodes))
 
 
-def _by_nodes(matrix: Any, basis: Any) -> sp.csr_array:
+def _column(values: float | Float) -> float | Float:
+    """With one number for each element, beside its one point of integration."""
+    return np.reshape(values, (-1, 1)) if np.ndim(values) else values
+
+
+def _by_nodes(matrix: sp.csr_array, basis: "Basis") -> sp.csr_array:
     """With rows ordered node by node, whatever order the assembler uses."""
     order = np.asarray(basis.nodal_dofs).T.ravel()
     csr = sp.csr_array(matrix)

@@ -1,7 +1,7 @@
 """Where a body came from and what was understood of it on the way."""
 
 from dataclasses import dataclass
-from typing import Literal, final
+from typing import Literal, TypedDict, final
 
 import numpy as np
 import numpy.typing as npt
@@ -39,3 +39,22 @@ class Origin:
     held: npt.NDArray[np.intp]
     free: int
     notes: tuple[str, ...] = ()
+
+
+class SourceSaid(TypedDict):
+    """What a builder read of it, before it is known what holds the body; see `Origin`."""
+
+    source: str
+    kind: Literal["surface", "tetrahedra", "shape"]
+    model: str
+    unit: str
+    elements: int
+    volume: float
+    size: Float
+    spacing: float
+
+
+class ShapeSaid(SourceSaid, total=False):
+    """Likewise of a rigid one, which nothing holds."""
+
+    notes: tuple[str, ...]

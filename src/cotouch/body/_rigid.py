@@ -7,7 +7,7 @@ could be strained swing at `RATE`.
 """
 
 from dataclasses import replace
-from typing import Any, Final
+from typing import Final, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -17,7 +17,7 @@ from cotouch.arrays import Float, Long
 from cotouch.body._body import Body
 from cotouch.body._checks import SumOfSquares, one_number
 from cotouch.body._material import Material
-from cotouch.body._origin import Origin
+from cotouch.body._origin import Origin, ShapeSaid
 from cotouch.body._skin import Skin
 from cotouch.body._strains import SIGNS, frame_of, shares_of, strain_law, strains_of
 from cotouch.errors import BodyError
@@ -72,7 +72,7 @@ def rigid_body(
     spread: npt.ArrayLike,
     rate: float = RATE,
     viscosity: float = VISCOSITY,
-    origin: dict[str, Any] | None = None,
+    origin: ShapeSaid | None = None,
 ) -> Body:
     """A rigid body with a skin.
 
@@ -167,7 +167,7 @@ def rigid_solid(
     density: float,
     mass: float | None,
     name: str,
-    kind: str,
+    kind: Literal["surface", "tetrahedra"],
     unit: str | None,
     ground: object,
     notes: list[str],

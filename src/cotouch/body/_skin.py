@@ -3,13 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, cast, final
+from typing import final
 
 import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Array, Float, Int
+from cotouch.arrays import Float, Int
 from cotouch.errors import BodyError
 
 # What the sum of a vertex's weights may be off by: they come from a division or from a file.
@@ -106,10 +106,12 @@ class Skin:
         return np.asarray(self.interpolation(body_nodes).T @ np.asarray(forces, dtype=np.float64))
 
 
-def _table(name: str, values: npt.ArrayLike, kind: type, *, width: int | None) -> npt.NDArray[np.generic]:
+def _table(
+    name: str, values: npt.ArrayLike, kind: type[np.float64 | np.int32], *, width: int | None
+) -> npt.NDArray[np.generic]:
     try:
         given = np.asarray(values)
-        array: Array = np.array(given, dtype=cast("Any", kind), order="C")
+        array = np.array(given, dtype=kind, order="C")
     except (TypeError, ValueError, OverflowError) as error:
         raise BodyError(f"{name} are not an array of numbers ({error}); give one row each") from error
     if array.size == 0:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, final
+from typing import final
 
 import numpy as np
 import scipy.sparse as sp
@@ -16,7 +16,6 @@ from cotouch.body._skin import joined_skins
 from cotouch.errors import BodyError, UnsupportedError
 
 _MATRICES = ("mass", "damping_int", "damping_ext", "stiffness_int", "stiffness_ext")
-# Of what a body is, and what its inner matrices are known to be.
 _INNER = ("damping_int", "stiffness_int")
 # Extents that differ by less than this share are the same.
 _SAME = 0.01
@@ -81,15 +80,16 @@ def joined(parts: Sequence[Part]) -> Body:
     """
     full = any(part.body.form == "full" for part in parts)
     matrices = {name: _joined(parts, name, full) for name in _MATRICES}
-    made: dict[str, Any] = {
-        name: SumOfSquares(matrix) if name in _INNER else matrix for name, matrix in matrices.items()
-    }
     return Body(
         rest=np.concatenate([part.rest() for part in parts]),
         skin=joined_skins([part.carrying(part.skin()) for part in parts]),
         material=Material(model="several"),
         parts=tuple(parts),
-        **made,
+        mass=matrices["mass"],
+        damping_int=SumOfSquares(matrices["damping_int"]),
+        damping_ext=matrices["damping_ext"],
+        stiffness_int=SumOfSquares(matrices["stiffness_int"]),
+        stiffness_ext=matrices["stiffness_ext"],
     )
 
 

@@ -1,11 +1,8 @@
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
-# pandas has no types
 """`cotouch feel` and `cotouch sweep`."""
 
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 from rich.console import Console
 
@@ -104,8 +101,7 @@ def sweep(path: Path, *, vary: Sequence[str], out: Path | None, dask: str | None
         found = sweep_scenario(scenario, options, store=store, jobs=jobs, dask=dask, progress=progress)
     if out is not None:
         write_netcdf(found, out / RESULTS, "result")
-    table: Any = found.to_dataframe().reset_index()
-    rows: list[dict[str, Any]] = table.to_dict("records")
+    rows = found.to_dataframe().reset_index().to_dict("records")
     if as_json:
         print_json({"runs": rows, "units": {name: unit for name, (unit, _) in SWEPT.items()}})
         return

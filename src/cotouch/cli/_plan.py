@@ -9,12 +9,12 @@ from collections.abc import Callable, Generator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from rich.console import Console
 
 from cotouch.cli._output import number, print_json, working
-from cotouch.cli._plan_extras import DRAWN, Extras, draw, tuned
+from cotouch.cli._plan_extras import DRAWN, Asked, Extras, ObjectOptions, draw, tuned
 from cotouch.cli._plan_tables import UNITS, print_counts, print_plan, print_tuned, said_links
 from cotouch.errors import NetworkError, ScenarioError
 from cotouch.files import beside, folder, read_toml
@@ -25,6 +25,7 @@ from cotouch.planning import (
     LinkCounts,
     Plan,
     PlanInterrupted,
+    ProblemOptions,
     compiles,
     first_choice,
     plan,
@@ -77,29 +78,27 @@ def run(
     moving = options["objective"] != "consensus" or tune is not None or figures is not None
     body = _object(path, {name: options[name] for name in _OBJECT}, read=moving)
     options |= body
-    limits = {"require": _pairs(network, "--require", require), "forbid": _pairs(network, "--forbid", forbid)}
+    options |= {"require": _pairs(network, "--require", require), "forbid": _pairs(network, "--forbid", forbid)}
     if tune is not None and not 0 < tune < math.inf:
         raise NetworkError(f"--tune-springs is {tune:g} Ns/m; it must be finite and above 0")
     if figures is not None:
         beside(folder(figures), [f"{name}.png" for name in DRAWN], (*delays, *([] if path is None else [path])))
-    if compiles(options["method"], options["objective"]):
-        _first(network, counts, limits | options)
+    seconds, top = options.pop("seconds", None), int(options.pop("top", 5))
     # A limit of time is shared by all that searches.
-    seconds, parts = options.pop("seconds", None), 1 + (tune is not None) + (figures is not None)
-    top = int(options.pop("top", 5))
-    options["top"] = top if tune is None else max(top, FIRST)
+    parts = 1 + (tune is not None) + (figures is not None)
+    shared = None if seconds is None else seconds / parts
+    asked = cast("Asked", options | {"seconds": shared, "top": top if tune is None else max(top, FIRST)})
+    if compiles(asked["method"], asked["objective"]):
+        _first(network, counts, asked)
     every: LinkCounts | None = None
     result: Extras = {}
     with _progress(quiet=as_json) as progress:
-        more: dict[str, Any] = (
-            {"seconds": None if seconds is None else seconds / parts, "progress": progress} | limits | options
-        )
         try:
             if len(counts) > 1:
-                every = plan_counts(network, links=counts, **more)
+                every = plan_counts(network, links=counts, progress=progress, **asked)
                 found = every.best
             else:
-                found = plan(network, links=counts[0], **more)
+                found = plan(network, links=counts[0], progress=progress, **asked)
         except PlanInterrupted as interrupted:
             every = interrupted.counts if isinstance(interrupted, CountsInterrupted) else None
             _tell(interrupted.plan, every, result, top, as_json=as_json)
@@ -109,12 +108,11 @@ def run(
         if tune is not None:
             begun, share = time.monotonic(), _share(left, parts - 1)
             with working("Tuning springs ...", quiet=as_json):
-                tuned(result, network, found, tune, body, limits | options | {"seconds": share})
+                tuned(result, network, found, tune, {**asked, "seconds": share})
             left = None if left is None else left - time.monotonic() + begun
         if figures is not None:
             with working("Drawing ...", quiet=as_json):
-                given = limits | options | {"seconds": _share(left, 1), "top": 1}
-                result["files"] = draw(figures, network, found, every, given)
+                result["files"] = draw(figures, network, found, every, {**asked, "seconds": _share(left, 1), "top": 1})
     except KeyboardInterrupt:
         _tell(found, every, result, top, as_json=as_json)
         raise
@@ -141,12 +139,12 @@ def _objective(network: Network, time_unit: float, rounding: str) -> str:
     return "consensus"
 
 
-def _first(network: Network, counts: Sequence[int], options: dict[str, Any]) -> None:
+def _first(network: Network, counts: Sequence[int], options: Asked) -> None:
     """Something to begin with while kernels compile, on standard error."""
     print("Compiling, which takes about two minutes, once on this machine.", file=sys.stderr)  # noqa: T201
     kept = ("top", "method", "seconds", "seed", "jobs", "dask")
-    asked = {name: option for name, option in options.items() if name not in kept}
-    found = first_choice(network, links=counts[0], seed=options.get("seed", 0), **asked)
+    asked = cast("ProblemOptions", {name: option for name, option in options.items() if name not in kept})
+    found = first_choice(network, links=counts[0], seed=options["seed"], **asked)
     if found is None:
         return
     unit = UNITS[options["objective"]]
@@ -221,9 +219,8 @@ def _tell(
         print(name)  # noqa: T201
 
 
-def _object(path: Path | None, given: dict[str, float | None], *, read: bool) -> dict[str, Any]:
+def _object(path: Path | None, given: dict[str, float | None], *, read: bool) -> ObjectOptions:
     """The modes of the file's body where it has one, with what the options say in its place."""
-    result: dict[str, Any] = dict(_OBJECT)
     said = {name: value for name, value in given.items() if value is not None}
     if path is not None and read and len(said) < len(given) and "body" in read_toml(path, "scenario", ScenarioError):
         from cotouch.interrupt import interruptible
@@ -231,8 +228,10 @@ def _object(path: Path | None, given: dict[str, float | None], *, read: bool) ->
         from cotouch.scenario import Scenario
 
         scenario = Scenario.read(path)
-        result |= interruptible(lambda: modes_of(scenario.build_body()))()
-    return result | said
+        modes = interruptible(lambda: modes_of(scenario.build_body()))()
+    else:
+        modes = _OBJECT
+    return cast("ObjectOptions", {**modes, **said})
 
 
 def _pairs(network: Network, option: str, texts: Sequence[str]) -> list[tuple[int, int]]:

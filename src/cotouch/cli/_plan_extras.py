@@ -1,22 +1,27 @@
 """What `cotouch plan` does with the links that it found: springs, and figures."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from pathlib import Path
 from time import monotonic
-from typing import TYPE_CHECKING, Any, TypedDict, TypeVar
+from typing import TYPE_CHECKING, Literal, TypedDict, TypeVar
+
+import numpy.typing as npt
 
 from cotouch.cli._output import number
 from cotouch.cli._plan_tables import LABELS, UNITS, TunedSprings
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.files import write
 from cotouch.interrupt import check, interruptible
-from cotouch.network import Network
+from cotouch.network import Convention, Network, Pair, Rounding
 from cotouch.planning import (
     JointInterrupted,
     LinkCounts,
+    Lost,
+    Objective,
     Plan,
     ProblemOptions,
+    SearchMethod,
     Tuned,
     TuningInterrupted,
     knee,
@@ -46,6 +51,34 @@ _OF_TUNING, _LEAST_TUNING = 0.85, 0.3
 _LOADING = 2.0
 
 
+class ObjectOptions(TypedDict):
+    """The object by its modes: mass [kg], damping [Ns/m] and stiffness [N/m]."""
+
+    mass: npt.ArrayLike
+    damping: npt.ArrayLike
+    stiffness: npt.ArrayLike
+
+
+class Asked(ObjectOptions):
+    """Options of the plan, each with a value; see `plan`."""
+
+    objective: Objective
+    convention: Convention
+    time_unit: float
+    rounding: Rounding
+    require: Sequence[Pair]
+    forbid: Sequence[Pair]
+    max_degree: int | None
+    damping_limit: float | None
+    drag_limit: float | None
+    lost: Lost
+    top: int
+    method: Literal["auto"] | SearchMethod
+    seconds: float | None
+    seed: int
+    dask: str | None
+
+
 class Extras(TypedDict, total=False):
     """What a plan says besides: tuned springs, and files that were drawn."""
 
@@ -58,8 +91,7 @@ def tuned(
     network: Network,
     found: Plan,
     limit: float,
-    body: dict[str, Any],
-    options: dict[str, Any],
+    options: Asked,
 ) -> None:
     """Springs within a limit on damping, and the rate that a free decay in the simulator shows with them.
 
@@ -70,16 +102,16 @@ def tuned(
         network: whose springs are where tuning starts.
         found: the links.
         limit: on damping [Ns/m].
-        body: mass, damping and stiffness of the object.
         options: of the plan.
     """
     begun, seconds = monotonic(), options["seconds"]
     from cotouch.study import confirmed
 
     if seconds is not None:  # loading took its share, and a run beside the prediction takes one
-        options = options | {"seconds": _OF_TUNING * max(seconds - monotonic() + begun, _LEAST_TUNING * seconds)}
+        options = {**options, "seconds": _OF_TUNING * max(seconds - monotonic() + begun, _LEAST_TUNING * seconds)}
     limit = limit if options["damping_limit"] is None else min(limit, options["damping_limit"])
     drag = options["drag_limit"]
+    body: ObjectOptions = {"mass": options["mass"], "damping": options["damping"], "stiffness": options["stiffness"]}
 
     def kept(one: Tuned, rank: int | None = 1) -> TunedSprings:
         users = network.users
@@ -98,14 +130,19 @@ def tuned(
 
     try:
         if found.objective == "decay" and options["lost"] == "nothing":
-            named = ("require", "forbid", "max_degree", "drag_limit", "seconds", "seed", "method")
             joint = plan_springs(
                 network,
                 links=len(found.best.links),
                 damping_limit=limit,
+                drag_limit=drag,
                 ranked=found,
+                require=options["require"],
+                forbid=options["forbid"],
+                max_degree=options["max_degree"],
+                seconds=options["seconds"],
+                seed=options["seed"],
+                method=options["method"],
                 **body,
-                **{name: options[name] for name in named},
             )
             best = joint.tuned
             told = kept(best, joint.rank)
@@ -144,7 +181,7 @@ def _within(deadline: float | None, work: Callable[[], T]) -> T | None:
     return interruptible(limited)()
 
 
-def draw(path: Path, network: Network, found: Plan, every: LinkCounts | None, options: dict[str, Any]) -> list[str]:
+def draw(path: Path, network: Network, found: Plan, every: LinkCounts | None, options: Asked) -> list[str]:
     """The best choice beside the worst; one objective against the other; what more links bring and cost.
 
     Args:
@@ -181,11 +218,20 @@ def draw(path: Path, network: Network, found: Plan, every: LinkCounts | None, op
     return names
 
 
-def _ranks(network: Network, found: Plan, options: dict[str, Any]) -> "Figure | None":
+def _ranks(network: Network, found: Plan, options: Asked) -> "Figure | None":
     """Consensus against decay; None where there are too many choices, or the delays are on no grid."""
     if found.choices > _MOST_RANKED or options["lost"] != "nothing":
         return None
-    named = ("require", "forbid", "max_degree", "damping_limit", "drag_limit", "mass", "damping", "stiffness")
+    limits: ProblemOptions = {
+        "require": options["require"],
+        "forbid": options["forbid"],
+        "max_degree": options["max_degree"],
+        "damping_limit": options["damping_limit"],
+        "drag_limit": options["drag_limit"],
+        "mass": options["mass"],
+        "damping": options["damping"],
+        "stiffness": options["stiffness"],
+    }
     sides: dict[str, ProblemOptions] = {
         "consensus": {
             "objective": "consensus",
@@ -196,7 +242,6 @@ def _ranks(network: Network, found: Plan, options: dict[str, Any]) -> "Figure | 
         "decay": {"objective": "decay"},
     }
     try:
-        limits = {name: options[name] for name in named}
         values = survey(network, links=len(found.best.links), objectives=sides, **limits).values
     except NetworkError:
         return None
@@ -208,7 +253,7 @@ def _knee(
     found: Plan,
     every: LinkCounts | None,
     deadline: float | None,
-    options: dict[str, Any],
+    options: Asked,
 ) -> "Figure":
     """The objective and its cost with each number of links that was asked for, or of some around the only one.
 
@@ -229,8 +274,8 @@ def _knee(
             break
         begin = plans.get(links + (1 if links < asked else -1), found).best.links
         with suppress(NetworkError, UnsupportedError):
-            given: dict[str, Any] = options | {"begin": begin, "seconds": each, "limit": _MOST_RANKED}
-            plans[links] = plan(network, links=links, **given)
+            given: Asked = {**options, "seconds": each}
+            plans[links] = plan(network, links=links, begin=begin, limit=_MOST_RANKED, **given)
     shown = [plans[links] for links in sorted(plans)]
     label, cost = LABELS[found.objective]
     sign = -1.0 if found.objective == "decay" else 1.0

@@ -1,5 +1,3 @@
-# pyright: reportUnknownMemberType=false
-# zenoh's keywords have no types
 """Files by their hash over Zenoh: whoever has one serves it, in chunks; threads of its own do the waiting."""
 
 import hashlib
@@ -7,7 +5,7 @@ import struct
 import threading
 from collections import Counter, deque
 from queue import SimpleQueue
-from typing import TYPE_CHECKING, final
+from typing import TYPE_CHECKING, Protocol, final
 
 from cotouch.errors import SessionError
 
@@ -25,6 +23,15 @@ _CHUNK_TIMEOUT = 10.0
 _ASK_TIMEOUT = 2.0
 _AGAIN = 0.5
 _SIZE = struct.Struct(">Q")
+
+
+class _Query(Protocol):
+    """What is used of a question, of whose `reply` Zenoh does not say that it returns nothing."""
+
+    @property
+    def key_expr(self) -> object: ...
+
+    def reply(self, key_expr: str, payload: bytes) -> object: ...
 
 
 @final
@@ -121,7 +128,7 @@ class Files:
                 except (ValueError, IndexError, zenoh.ZError):
                     continue
 
-    def _answer(self, query: "zenoh.Query") -> None:
+    def _answer(self, query: _Query) -> None:
         """Answers one query; its key is ours, or has our own name in place of `*`."""
         key = str(query.key_expr)
         parts = key.removeprefix(self._prefix + "/").split("/")

@@ -14,7 +14,7 @@ import socket
 import ssl
 import sys
 from collections import defaultdict
-from typing import Any, final
+from typing import TypedDict, final
 
 # Unfinished handshakes of one source and of all; beyond it one of the source that has most is dropped, at random, so
 # that nobody can time who it will be.
@@ -142,7 +142,7 @@ def _source(host: str) -> str:
     return host if len(packed) == 4 or packed[:12] == bytes(10) + b"\xff\xff" else packed[:8].hex()
 
 
-def _context(purpose: ssl.Purpose, given: dict[str, str]) -> ssl.SSLContext:
+def _context(purpose: ssl.Purpose, given: "_Orders") -> ssl.SSLContext:
     context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER if purpose is ssl.Purpose.CLIENT_AUTH else ssl.PROTOCOL_TLS_CLIENT)
     context.minimum_version = ssl.TLSVersion.TLSv1_3
     context.check_hostname = False  # certificates say "was invited"; they name no machine
@@ -158,9 +158,20 @@ def _context(purpose: ssl.Purpose, given: dict[str, str]) -> ssl.SSLContext:
     return context
 
 
-async def _main(given: dict[str, Any]) -> None:
+class _Orders(TypedDict):
+    """What the process is told when it starts."""
+
+    authority: str
+    certificate: str
+    key: str
+    inner: tuple[str, int]
+    listening: list[int]
+
+
+async def _main(given: _Orders) -> None:
+    host, port = given["inner"]
     keeper = Gatekeeper(
-        tuple(given["inner"]), _context(ssl.Purpose.CLIENT_AUTH, given), _context(ssl.Purpose.SERVER_AUTH, given)
+        (host, port), _context(ssl.Purpose.CLIENT_AUTH, given), _context(ssl.Purpose.SERVER_AUTH, given)
     )
     loop, ending = asyncio.get_running_loop(), asyncio.Event()
 

@@ -1,5 +1,3 @@
-# pyright: reportUnknownMemberType=false
-# zenoh's keywords have no types
 """What all that speaks Zenoh here has in common: configuration, opening, closing. Zenoh loads on first use."""
 
 import base64
@@ -7,7 +5,7 @@ import contextlib
 import json
 import threading
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, Protocol
 
 from cotouch.control._certificates import TlsCertificates
 from cotouch.control._invitation import Endpoint
@@ -27,6 +25,29 @@ _OPENING = 10_000
 _CLOSING = 2.0
 # What any call of Zenoh takes, at most [s].
 _LAST = 12.0
+
+
+class _Ended(Protocol):
+    """What ends by `undeclare`, of which Zenoh does not say that it returns nothing."""
+
+    def undeclare(self) -> object: ...
+
+
+class _Spoken(Protocol):
+    """What of a session of Zenoh speaks and ends, likewise."""
+
+    def put(
+        self,
+        key_expr: str,
+        payload: bytes,
+        *,
+        congestion_control: "zenoh.CongestionControl",
+        priority: "zenoh.Priority",
+        express: bool,
+    ) -> object: ...
+
+    def close(self) -> object: ...
+
 
 Mode = Literal["peer", "client", "router"]
 Priority = Literal["INTERACTIVE_HIGH", "INTERACTIVE_LOW", "DATA_HIGH"]
@@ -131,7 +152,7 @@ def open_session(configured: str) -> "zenoh.Session":
         raise TransportError(why) from error
 
 
-def put(session: "zenoh.Session", key: str, said: bytes, *, priority: Priority, wait: bool = False) -> bool:
+def put(session: _Spoken, key: str, said: bytes, *, priority: Priority, wait: bool = False) -> bool:
     """Says something at once; whether the session took it, which one that closes does not.
 
     Args:
@@ -153,9 +174,9 @@ def put(session: "zenoh.Session", key: str, said: bytes, *, priority: Priority, 
 
 
 def close_session(
-    session: "zenoh.Session",
+    session: _Spoken,
     users: Sequence[threading.Thread] = (),
-    token: "zenoh.LivelinessToken | None" = None,
+    token: _Ended | None = None,
 ) -> None:
     """Closes a session of Zenoh, and waits for it a little.
 

@@ -1,5 +1,3 @@
-# pyright: reportUnknownMemberType=false
-# matplotlib's keywords have no types
 """Lines and numbers as a figure can show them: points, units, labels at ends."""
 
 from itertools import pairwise

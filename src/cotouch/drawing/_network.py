@@ -1,5 +1,3 @@
-# pyright: reportUnknownMemberType=false
-# matplotlib's keywords have no types
 """The drawing of a network: users on a circle, and labels on their links where they cover least."""
 
 from collections.abc import Callable, Generator, Sequence

@@ -1,12 +1,10 @@
-# pyright: reportUnknownMemberType=false
-# matplotlib's keywords have no types
 """One restrained style for all figures: colours, sheets, and legends of users."""
 
 import io
 import warnings
 from collections.abc import Generator, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, Final, TypeAlias, cast
+from typing import TYPE_CHECKING, Final, Literal, TypeAlias, TypedDict
 
 from cotouch.drawing._lines import escaped
 
@@ -14,9 +12,16 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
-    from matplotlib.typing import RcKeyType
 
-Dash: TypeAlias = "str | tuple[int, tuple[float, ...]]"
+Dash: TypeAlias = Literal["-"] | tuple[int, tuple[float, ...]]
+
+
+class UserLine(TypedDict):
+    """Colour and dashes of what belongs to a user."""
+
+    color: str
+    linestyle: Dash
+
 
 INK: Final = "#24292f"
 MUTED: Final = "#68707a"
@@ -28,7 +33,9 @@ ALARM_COLOUR: Final = "#b3261e"
 USERS: Final = ("#0072b2", "#d55e00", "#009e73", "#c065a0", "#d99000", "#4aa5dd")
 DASHES: Final[tuple[Dash, ...]] = ("-", (0, (4.0, 1.6)), (0, (1.2, 1.4)))
 
-STYLE: Final[dict[str, Any]] = {
+_TITLE_PAD: Final = 6.0
+
+STYLE: Final[dict[str, object]] = {
     "font.family": "sans-serif",
     "font.size": 8.0,
     "text.color": INK,
@@ -45,7 +52,7 @@ STYLE: Final[dict[str, Any]] = {
     "axes.titlelocation": "left",
     "axes.titlesize": 8.5,
     "axes.titleweight": "bold",
-    "axes.titlepad": 6.0,
+    "axes.titlepad": _TITLE_PAD,
     "axes.xmargin": 0.0,
     "axes.ymargin": 0.12,
     "axes.formatter.use_mathtext": False,
@@ -85,7 +92,7 @@ def style() -> "Generator[None]":
     """Makes figures in this module's style; the settings of the caller come back afterwards."""
     import matplotlib as mpl
 
-    with mpl.rc_context(cast("dict[RcKeyType, Any]", STYLE)):
+    with mpl.rc_context(STYLE):
         yield
 
 
@@ -119,7 +126,7 @@ def drawn(figure: "Figure", *, dpi: float, format: str = "png") -> bytes:  # noq
     return stream.getvalue()
 
 
-def user_line(index: int) -> dict[str, Any]:
+def user_line(index: int) -> UserLine:
     """Colour and dashes of a user, the same in all figures."""
     return {"color": USERS[index % len(USERS)], "linestyle": DASHES[index // len(USERS) % len(DASHES)]}
 
@@ -136,7 +143,7 @@ def user_legend(axes: "Axes", names: Sequence[str]) -> None:
     rows = -(-len(marks) // columns)
     axes.legend(marks, texts, loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=columns, **_ROW)
     if rows > 1 or len(marks) * (max(map(len, texts)) + _MARK_LETTERS) > _LEGEND_LETTERS / 2:
-        axes.set_title(axes.get_title(loc="left"), pad=STYLE["axes.titlepad"] + 12.0 * rows)
+        axes.set_title(axes.get_title(loc="left"), pad=_TITLE_PAD + 12.0 * rows)
 
 
 def figure_legend(figure: "Figure", names: Sequence[str]) -> None:
@@ -150,12 +157,11 @@ def figure_legend(figure: "Figure", names: Sequence[str]) -> None:
     figure.legend(marks, texts, loc="outside upper right", ncols=len(marks), **_ROW)
 
 
-_ROW: Final[dict[str, Any]] = {"handlelength": 1.2, "handletextpad": 0.5, "columnspacing": 0.9}
+_ROW: Final = {"handlelength": 1.2, "handletextpad": 0.5, "columnspacing": 0.9}
 
 
 def _marks(names: Sequence[str]) -> "tuple[list[Line2D], list[str]]":
     from matplotlib.lines import Line2D
 
-    lines: list[dict[str, Any]] = [user_line(i) for i in range(len(names))]
-    marks = [Line2D([], [], color=line["color"], linestyle=line["linestyle"], linewidth=1.8) for line in lines]
+    marks = [Line2D([], [], **user_line(i), linewidth=1.8) for i in range(len(names))]
     return [Line2D([], [], linestyle="none"), *marks], ["user", *map(escaped, names)]

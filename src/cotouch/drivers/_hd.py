@@ -4,7 +4,7 @@ import ctypes
 import sys
 from collections.abc import Callable
 from ctypes import POINTER, byref, c_char_p, c_double, c_int, c_uint, c_ulong, c_ushort, c_void_p
-from typing import Any, ClassVar, final
+from typing import Any, ClassVar, Final, final
 
 from cotouch.drivers._library import Library
 from cotouch.errors import DeviceError
@@ -36,7 +36,7 @@ _SAFETY = {
 _PRIORITY = 32767  # HD_DEFAULT_SCHEDULER_PRIORITY
 _NOBODY = 0xFFFFFFFF  # HD_INVALID_HANDLE
 _SERVO = ctypes.CFUNCTYPE if sys.platform != "win32" else ctypes.WINFUNCTYPE
-CALLBACK: Any = _SERVO(c_uint, c_void_p)
+CALLBACK: Final = _SERVO(c_uint, c_void_p)
 """HDSchedulerCallback."""
 
 

@@ -4,7 +4,7 @@ import threading
 import time
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any, final
+from typing import final
 
 import numpy as np
 
@@ -85,7 +85,7 @@ class Touch:
         self._spec = PRESETS["touch"]
         self._middle = np.zeros(3)
         self._hd: Hd | None = None
-        self._callback: Any = None
+        self._callback: object = None
         self._met = threading.Condition()
         self._reset()
 

@@ -1,5 +1,3 @@
-# pyright: reportUnknownMemberType=false
-# xarray's keywords have no types
 """A dataset as a NetCDF 4 file."""
 
 from pathlib import Path

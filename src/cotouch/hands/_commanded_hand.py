@@ -6,12 +6,11 @@ force, however its spring changes between two steps.
 """
 
 from collections.abc import Callable, Sequence
-from typing import Any, final
+from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float, Int
+from cotouch.arrays import Array, Float, Int
 from cotouch.hands._ball import Ball, ball_table
 from cotouch.hands._blade import Blade, blade_table
 from cotouch.hands._led import LedTool
@@ -165,7 +164,7 @@ class CommandedHand(SlotHand):
         if self._tabled:
             super().after()
 
-    def show(self, fields: dict[str, npt.NDArray[Any]]) -> None:
+    def show(self, fields: dict[str, Array]) -> None:
         """Writes what it does into a mailbox's fields; see `view_fields`."""
         fields["received"][()] = self.received
         slots = self._slots if self._script > 0.0 else self._slots[:1]
@@ -315,7 +314,7 @@ class CommandedHand(SlotHand):
         own = node * self._each + np.arange(self._each)
         return (own if self._order is None else self._order[own]).astype(np.int32)
 
-    def _show_first(self, fields: dict[str, npt.NDArray[Any]]) -> None:
+    def _show_first(self, fields: dict[str, Array]) -> None:
         if self.mode == "ball" or (self._ball is not None and self._ball.gain > 0.0):
             assert self._ball is not None
             ball = self._ball
@@ -334,7 +333,7 @@ class CommandedHand(SlotHand):
         else:
             write_hand(fields, 0, self.mode, -1, (), self._where(self._node), ())
 
-    def _show_scripted(self, fields: dict[str, npt.NDArray[Any]], k: int, kind: str, index: int) -> None:
+    def _show_scripted(self, fields: dict[str, Array], k: int, kind: str, index: int) -> None:
         if kind == "tool":
             assert self.tools is not None
             tools = self.tools

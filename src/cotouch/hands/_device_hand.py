@@ -1,12 +1,11 @@
 """Hands that hold real devices: the proxy of each is a tool of the slot, round or rigid, or a node that it holds."""
 
 from collections.abc import Sequence
-from typing import Any, final
+from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Array, Float
 from cotouch.body import Body
 from cotouch.errors import DeviceError
 from cotouch.hands._grasped import Grasped, GraspedBall, GraspedNode, more
@@ -114,7 +113,7 @@ class DeviceHand(SlotHand):
         for hold in self._holds:
             hold.after()
 
-    def show(self, fields: dict[str, npt.NDArray[Any]]) -> None:
+    def show(self, fields: dict[str, Array]) -> None:
         """Writes into a mailbox's fields where each device is, what it holds or pushes with, and what pulls that.
 
         Args:

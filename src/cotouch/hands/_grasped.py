@@ -1,11 +1,9 @@
 """What a device's spring pulls at: a ball that touches or holds a body, or a node of it; see `GraspedTool`, too."""
 
 from collections.abc import Sequence
-from typing import Any, Protocol, final
+from typing import Protocol, final
 
-import numpy.typing as npt
-
-from cotouch.arrays import Float
+from cotouch.arrays import Array, Float
 from cotouch.hands._commanded_hand import write_hand
 from cotouch.haptics import Quaternion, Vector
 from cotouch.mechanics import Ports, Tools
@@ -44,7 +42,7 @@ class Grasped(Protocol):
         """Mean of what pulled it in the last step [N]."""
         ...
 
-    def show(self, fields: dict[str, npt.NDArray[Any]], k: int, target: Vector | None) -> None:
+    def show(self, fields: dict[str, Array], k: int, target: Vector | None) -> None:
         """Writes it into a mailbox's fields.
 
         Args:
@@ -95,7 +93,7 @@ class GraspedBall:
         """Mean of what pulled it in the last step [N]."""
         return vector(self._tools.drive_force[self._row])
 
-    def show(self, fields: dict[str, npt.NDArray[Any]], k: int, target: Vector | None) -> None:
+    def show(self, fields: dict[str, Array], k: int, target: Vector | None) -> None:
         """Writes it into a mailbox's fields.
 
         Args:
@@ -166,7 +164,7 @@ class GraspedNode:
         """Mean of what pulled it in the last step [N]."""
         return self._spread([self._ports.force[port] for port in self._own_ports])
 
-    def show(self, fields: dict[str, npt.NDArray[Any]], k: int, target: Vector | None) -> None:
+    def show(self, fields: dict[str, Array], k: int, target: Vector | None) -> None:
         """Writes it into a mailbox's fields.
 
         Args:

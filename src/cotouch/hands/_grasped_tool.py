@@ -1,12 +1,11 @@
 """A rigid tool that a device holds: its spring leads the handle, and springs of the file's turn the tool about that."""
 
 from collections.abc import Sequence
-from typing import Any, final
+from typing import final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Array, Float
 from cotouch.body import frame_of
 from cotouch.hands._grasped import vector
 from cotouch.hands._shown import write_hand
@@ -125,7 +124,7 @@ class GraspedTool:
         """Mean of what pulled its handle in the last step [N]."""
         return vector(self._ports.force[self._handle])
 
-    def show(self, fields: dict[str, npt.NDArray[Any]], k: int, target: Vector | None) -> None:
+    def show(self, fields: dict[str, Array], k: int, target: Vector | None) -> None:
         """Writes it into a mailbox's fields.
 
         Args:

@@ -1,15 +1,13 @@
 """What a page sees of a hand, in the mailbox of its member's process."""
 
 from collections.abc import Sequence
-from typing import Any
 
-import numpy.typing as npt
-
+from cotouch.arrays import Array
 from cotouch.observers import HAND_MODES, HandMode
 
 
 def write_hand(
-    fields: dict[str, npt.NDArray[Any]],
+    fields: dict[str, Array],
     k: int,
     mode: HandMode,
     node: int,

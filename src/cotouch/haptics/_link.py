@@ -8,10 +8,11 @@ import sys
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import Any, final
+from typing import Any, TypedDict, cast, final
 
 from cotouch.device import DeviceSpec
 from cotouch.errors import DeviceError
+from cotouch.files import table_of
 from cotouch.haptics._core import Order, ServoReport, silent_for
 from cotouch.haptics._coupling import CouplingChoice, coupling_of
 from cotouch.haptics._ends import EndOptions
@@ -43,6 +44,14 @@ _PATIENCE = 300.0
 # A servo that says nothing for so long is gone [s].
 _GONE = 0.1
 _SILENT = EnergyMessage()
+
+
+class _Ready(TypedDict):
+    """What the servo says once it holds the device: its limits, what it obtained from the system, its process id."""
+
+    spec: dict[str, Any]
+    process: dict[str, object]
+    pid: int
 
 
 @final
@@ -122,7 +131,7 @@ class ServoLink:
             self.spec: DeviceSpec = spec_from(said["spec"])
             self.process |= said["process"]
             self._priority(said["process"])
-            self.servo = int(said["pid"])
+            self.servo = said["pid"]
             assert self._process is not None
             self.guardian = self._process.pid
             self.options: EndOptions = settings.end_options(self.spec)
@@ -260,7 +269,7 @@ class ServoLink:
             self._orders.close()
         self._folder.close()
 
-    def _start(self, settings: ServoSettings) -> dict[str, Any]:
+    def _start(self, settings: ServoSettings) -> _Ready:
         threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
         process = self._process = subprocess.Popen(  # noqa: S603
             [sys.executable, "-c", GUARDIAN],
@@ -274,12 +283,10 @@ class ServoLink:
         process.stdin.flush()
         end = self._clock() + _PATIENCE
         while self._clock() < end:
-            ready: dict[str, Any] | None = None
+            ready: _Ready | None = None
             for said in self._received(0.1):
-                ready = said if "ready" in said else ready
-                if "guardian" in said:
-                    self.process["guardian"] = said["guardian"]
-                    self._priority(said["guardian"])
+                ready = cast("_Ready", said) if "ready" in said else ready
+                self._watched(said)
                 if "error" in said:
                     raise DeviceError(str(said["error"]))
             if ready is not None:
@@ -288,7 +295,7 @@ class ServoLink:
                 break
         raise DeviceError(f'the device "{settings.device.name}" did not start; its process ended or hangs')
 
-    def _received(self, wait: float, ended: "subprocess.Popen[bytes] | None" = None) -> list[dict[str, Any]]:
+    def _received(self, wait: float, ended: "subprocess.Popen[bytes] | None" = None) -> list[dict[str, object]]:
         """What the processes wrote; never waits longer than it says."""
         process = self._process or ended
         if process is None or process.stdout is None:
@@ -302,9 +309,9 @@ class ServoLink:
             wait = 0.0
         return self._lines()
 
-    def _lines(self) -> list[dict[str, Any]]:
+    def _lines(self) -> list[dict[str, object]]:
         *whole, self._rest = self._rest.split(b"\n")
-        found: list[dict[str, Any]] = []
+        found: list[dict[str, object]] = []
         for line in whole:
             try:
                 found.append(json.loads(line))
@@ -312,19 +319,23 @@ class ServoLink:
                 continue
         return found
 
-    def _priority(self, state: Mapping[str, Any]) -> None:
+    def _priority(self, state: Mapping[str, object]) -> None:
         """Tells whoever holds the device, once, that its processes may be kept waiting."""
         refused = state.get("real_time_refused")
         if self._settings.real_time is None or not refused or self._kept_waiting:
             return
         self._kept_waiting = True
-        self._warning_log.say(priority_refused(refused))
+        self._warning_log.say(priority_refused(str(refused)))
 
-    def _take(self, said: dict[str, Any]) -> None:
-        self.statistics.update(said.get("pace") or {})
-        if "guardian" in said:  # it may be slower to load than the servo
-            self.process["guardian"] = said["guardian"]
-            self._priority(said["guardian"])
+    def _watched(self, said: dict[str, object]) -> None:
+        """Takes what the guardian says of itself; it may be slower to load than the servo."""
+        if (guardian := table_of(said.get("guardian"))) is not None:
+            self.process["guardian"] = guardian
+            self._priority(guardian)
+
+    def _take(self, said: dict[str, object]) -> None:
+        self.statistics.update(cast("dict[str, float]", said.get("pace") or {}))
+        self._watched(said)
         if said.get("fault"):
             self._warning_log.say(f"the device failed: {said['fault']}")
         elif "error" in said:

@@ -6,7 +6,7 @@ import marshal
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Any, TypeAlias, TypeVar, final
+from typing import TypeAlias, TypeVar, cast, final
 
 from cotouch.errors import OutputError, ScenarioError
 from cotouch.files import folder, look, read_text, table_of, write
@@ -54,7 +54,7 @@ class Store:
         text = json.dumps([self._version, what, cell], sort_keys=True, allow_nan=True)
         return f"{what}-{hashlib.sha256(text.encode()).hexdigest()[:24]}.json"
 
-    def find(self, name: str) -> Any:
+    def find(self, name: str) -> dict[str, object] | None:
         """A result that is there; None where there is none, or none that can be read."""
         path = self._place / name
         if not path.is_file():
@@ -152,7 +152,9 @@ def cells(
     """
     names = ["" if store is None else store.name(what, item) for item in items]
     kept: dict[int, R] = {
-        at: found for at, name in enumerate(names) if store is not None and (found := store.find(name)) is not None
+        at: cast("R", found)
+        for at, name in enumerate(names)
+        if store is not None and (found := store.find(name)) is not None
     }
     left = [at for at in range(len(items)) if at not in kept]
     done = len(kept)
@@ -173,14 +175,13 @@ def _done(function: Callable[[A], R], items: Sequence[A], jobs: int, dask: str |
     """Results as they come, with their numbers."""
     if jobs != -1 and jobs < 1:
         raise ScenarioError(f"jobs is {jobs}; it must be at least 1, or -1 for one per core")
-    import joblib as untyped
+    import joblib
 
-    joblib: Any = untyped
     if dask is not None:
         with workers(jobs, dask) as hands:
             size = _AHEAD * max(hands.jobs, 1)
             for start in range(0, len(items), size):
-                calls: Any = [joblib.delayed(function)(item) for item in items[start : start + size]]
+                calls = [joblib.delayed(function)(item) for item in items[start : start + size]]
                 yield from enumerate(hands.parallel(calls), start)
         return
     stop = flag()
@@ -190,5 +191,5 @@ def _done(function: Callable[[A], R], items: Sequence[A], jobs: int, dask: str |
             check()
             return at, function(item)
 
-    parallel: Any = joblib.Parallel(n_jobs=jobs, backend="threading", return_as="generator_unordered")
+    parallel = joblib.Parallel(n_jobs=jobs, backend="threading", return_as="generator_unordered")
     yield from parallel(joblib.delayed(each)(at, item) for at, item in enumerate(items))

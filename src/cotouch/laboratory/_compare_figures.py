@@ -1,5 +1,3 @@
-# pyright: reportUnknownMemberType=false
-# matplotlib's keywords have no types
 """The figures of a comparison: where laws become dangerous, and what no law has all of."""
 
 from typing import TYPE_CHECKING
@@ -60,7 +58,7 @@ def maps(data: "xr.Dataset") -> "Figure":
     assert shades is not None  # a study has laws
     bar = figure.colorbar(shades, ax=panels, shrink=0.7, aspect=30, pad=0.01)
     bar.set_label("J")
-    bar.outline.set_visible(False)  # pyright: ignore[reportCallIssue]
+    bar.outline.set_visible(False)
     return figure
 
 

@@ -1,5 +1,3 @@
-# pyright: reportUnknownMemberType=false
-# xarray's keywords have no types
 """A comparison of link laws as one HTML page."""
 
 import json

@@ -1,5 +1,3 @@
-# pyright: reportUnknownMemberType=false
-# xarray's keywords have no types
 """What people notice, and the figures of a comparison in multiples of it."""
 
 from typing import TYPE_CHECKING, TypedDict

@@ -1,6 +1,6 @@
 """What a study's file says of the laws, networks and hands of a comparison, and of how laws are tuned."""
 
-from typing import Annotated, Any, Self, final
+from typing import Annotated, Self, cast, final
 
 from pydantic import Field, model_validator
 
@@ -26,7 +26,7 @@ class LawTable(Table):
     """
 
     name: Name | None = None
-    law: str | dict[str, Any] | None = None
+    law: str | dict[str, object] | None = None
     replica: str | None = None
     damping: NonNegative | None = None
 
@@ -59,11 +59,10 @@ class LawTable(Table):
     @property
     def given(self) -> dict[str, float | str]:
         """Parameters that it is given."""
-        return (
-            {}
-            if self.law is None or isinstance(self.law, str)
-            else {key: value for key, value in self.law.items() if key != "kind"}
-        )
+        if self.law is None or isinstance(self.law, str):
+            return {}
+        given = cast("dict[str, float | str]", self.law)  # what a law checks when it is looked up
+        return {key: value for key, value in given.items() if key != "kind"}
 
 
 @final

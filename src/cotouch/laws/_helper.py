@@ -10,7 +10,7 @@ from cotouch.arrays import Float
 from cotouch.laws._end import End
 from cotouch.mechanics import Ports, at, inner, kernel, put
 
-F = TypeVar("F", bound=Callable[..., Any])
+F = TypeVar("F", bound=Callable[..., object])
 
 
 def helper(function: F) -> F:

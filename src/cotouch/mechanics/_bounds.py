@@ -7,21 +7,24 @@ it calls likewise. That finds an index that machine code would follow into other
 import traceback
 from collections.abc import Callable, Iterable
 from types import CellType, CodeType, FunctionType, ModuleType
-from typing import Any, final
+from typing import TypeVar, final
 
 import numpy as np
 
+from cotouch.arrays import Array
 from cotouch.mechanics._vector import at, put
 
+R = TypeVar("R")
 
-def beyond(functions: Iterable[Callable[..., Any]], calls: Iterable[tuple[Any, ...]]) -> str | None:
+
+def beyond(functions: Iterable[Callable[..., object]], calls: Iterable[tuple[object, ...]]) -> str | None:
     """Where one of some functions leaves an array, in a sentence; None: nowhere.
 
     Args:
         functions: called one after the other.
         calls: arguments of each call.
     """
-    known: dict[int, Any] = {id(at): _at, id(put): _put}
+    known: dict[int, object] = {id(at): _at, id(put): _put}
     plain = [_rebuilt(function, function, known) for function in functions]
     for arguments in calls:
         for function in plain:
@@ -36,7 +39,7 @@ def beyond(functions: Iterable[Callable[..., Any]], calls: Iterable[tuple[Any, .
     return None
 
 
-def as_written(function: Callable[..., Any]) -> Callable[..., Any]:
+def as_written(function: Callable[..., R]) -> Callable[..., R]:
     """A function as Python runs it, with everything compiled that it calls.
 
     Args:
@@ -50,11 +53,11 @@ def written_here(function: object) -> bool:
     return getattr(function, "__module__", "").partition(".")[0] == "cotouch"
 
 
-def _at(array: Any, index: Any) -> Any:
+def _at(array: Array, index: int | tuple[int, ...]) -> object:
     return array.reshape(-1)[index] if np.ndim(index) == 0 and array.ndim > 1 else array[index]
 
 
-def _put(array: Any, index: Any, value: Any) -> None:
+def _put(array: Array, index: int | tuple[int, ...], value: float) -> None:
     if np.ndim(index) == 0:
         array = array.reshape(-1)
     array[index] = value
@@ -64,14 +67,14 @@ def _put(array: Any, index: Any, value: Any) -> None:
 class _Module:
     """A module whose compiled functions run as they are written."""
 
-    def __init__(self, module: ModuleType, known: dict[int, Any]) -> None:
+    def __init__(self, module: ModuleType, known: dict[int, object]) -> None:
         self._module, self._known = module, known
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> object:
         return _plain(getattr(self._module, name), self._known)
 
 
-def _plain(thing: Any, known: dict[int, Any]) -> Any:
+def _plain(thing: object, known: dict[int, object]) -> object:
     """A compiled function as it is written, with all that it calls; anything else as it is."""
     if id(thing) in known:
         return known[id(thing)]
@@ -81,7 +84,7 @@ def _plain(thing: Any, known: dict[int, Any]) -> Any:
     return _rebuilt(thing, function, known) if isinstance(function, FunctionType) else thing
 
 
-def _rebuilt(thing: Any, function: Any, known: dict[int, Any]) -> Any:
+def _rebuilt(thing: object, function: FunctionType, known: dict[int, object]) -> FunctionType:
     """A function that runs as it is written, as does all that it calls."""
     names = dict(function.__globals__)
     cells = tuple(CellType() for _ in function.__closure__ or ())

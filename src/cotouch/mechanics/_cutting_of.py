@@ -2,11 +2,10 @@
 
 import math
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
-from cotouch.arrays import Float, Long
+from cotouch.arrays import Array, Float, Long
 from cotouch.body import FACES, Body, Material, cut_skin
 from cotouch.errors import UnsupportedError
 from cotouch.mechanics._breaking import SOLIDS
@@ -42,7 +41,7 @@ def cutting_of(model: Model, *, tools: int = 0, decides: Sequence[bool] = ()) ->
     rest[row, :3] = body.rest
     own = [_elements(body, part.body.material, part.first) for part in body.parts if part.body.cut_count]
     own = own or [_elements(body, body.material, 0)]
-    found: dict[str, Any] = {name: np.concatenate([each[name] for each in own]) for name in own[0]}
+    found: dict[str, Array] = {name: np.concatenate([each[name] for each in own]) for name in own[0]}
     faces, nothing = cut_skin(body), np.zeros(0, dtype=np.int32)
     across = float(np.sqrt(found["area"].mean()))
     corner, tied = (np.where(found[name] < 0, -1, row[found[name]]) for name in ("corner", "tied"))
@@ -82,7 +81,7 @@ def cutting_of(model: Model, *, tools: int = 0, decides: Sequence[bool] = ()) ->
     )
 
 
-def _elements(body: Body, material: Material | None, first: int) -> dict[str, Any]:
+def _elements(body: Body, material: Material | None, first: int) -> dict[str, Array]:
     """What is to be known of each element of one body, whose first node is given; corners as nodes of all."""
     assert material is not None
     if material.faces.size:
@@ -122,9 +121,9 @@ def _elements(body: Body, material: Material | None, first: int) -> dict[str, An
     }
 
 
-def _faces(body: Body, material: Material, first: int) -> dict[str, Any]:
+def _faces(body: Body, material: Material, first: int) -> dict[str, Array]:
     """Likewise of faces that open: what is stretched is the line between the middles of the two elements."""
-    count, wide = material.faces.shape[0], material.faces.shape[1] // 2
+    count, wide = len(material.faces), material.faces.shape[1] // 2
     corner = np.full((count, WIDEST), -1)
     pair = material.elements[material.sides].reshape(count, -1) + first
     corner[:, : pair.shape[1]] = pair
@@ -135,8 +134,11 @@ def _faces(body: Body, material: Material, first: int) -> dict[str, Any]:
     tied[:, :wide], tied[:, 4 : 4 + wide] = material.faces[:, :wide] + first, material.faces[:, wide:] + first
     place = body.rest[tied[:, :wide]]
     area = sum(
-        0.5 * np.linalg.norm(np.cross(place[:, n] - place[:, 0], place[:, n + 1] - place[:, 0]), axis=1)
-        for n in range(1, wide - 1)
+        (
+            0.5 * np.linalg.norm(np.cross(place[:, n] - place[:, 0], place[:, n + 1] - place[:, 0]), axis=1)
+            for n in range(1, wide - 1)
+        ),
+        np.zeros(count),
     )
     return {
         "corner": corner,

@@ -7,7 +7,7 @@ import numba
 
 from cotouch.compiled import stamped
 
-F = TypeVar("F", bound=Callable[..., Any])
+F = TypeVar("F", bound=Callable[..., object])
 
 # A block of at least so many of LLVM's instructions is compiled once and called by its symbol. With smaller ones a run
 # with a device would take twice as long.

@@ -1,12 +1,12 @@
 """From a body's material to the arrays that its law works on."""
 
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Float, Int
+from cotouch.arrays import Array, Float, Int
 from cotouch.body import SIGNS, Body, Material, Part, SumOfSquares, frame_of, strain_law
 from cotouch.errors import UnsupportedError
 from cotouch.mechanics._force import BodyForce
@@ -79,12 +79,18 @@ def _outlines(body: Body) -> Body:
     """Of several bodies: those of each, side by side."""
     tangent = body.rigid or bool(body.tools)
     each = [outline_of(part.body, _own(part), tangent=tangent) for part in body.parts]
-    joined: dict[str, Any] = {
+    joined = {
         name: sp.csr_array(sp.block_diag([getattr(one, name) for one in each], format="csr"))
         for name in ("mass", "damping_int", "damping_ext", "stiffness_int", "stiffness_ext")
     }
-    inner: dict[str, Any] = {name: SumOfSquares(joined.pop(name)) for name in ("damping_int", "stiffness_int")}
-    return Body(rest=body.rest, **joined, **inner)
+    return Body(
+        rest=body.rest,
+        mass=joined["mass"],
+        damping_int=SumOfSquares(joined["damping_int"]),
+        damping_ext=joined["damping_ext"],
+        stiffness_int=SumOfSquares(joined["stiffness_int"]),
+        stiffness_ext=joined["stiffness_ext"],
+    )
 
 
 # A step takes this share of a scalar that bounds what stiffness couples two nodes. Looks still tend to the same, as the
@@ -256,7 +262,14 @@ def _law(body: Body, material: Material, row: Int, rest: Float) -> tuple[Any, in
     return law, elements.shape[0] if solid.turns else 0
 
 
-def _ties(material: Material, row: Int) -> dict[str, Any]:
+class _Ties(TypedDict):
+    tie_start: Int
+    tie_end: Int
+    tie_face: Int
+    tie: Float
+
+
+def _ties(material: Material, row: Int) -> _Ties:
     """Springs of no length at the faces along which a body opens."""
     wide = material.faces.shape[1] // 2
     return {
@@ -332,7 +345,7 @@ def _frame(body: Body, material: Material, row: Int, rest: Float) -> FramedBody:
     )
 
 
-def _blocks(matrix: sp.bsr_array, rows: Any, columns: Any, dimension: int) -> Float:
+def _blocks(matrix: sp.bsr_array, rows: Array, columns: Array, dimension: int) -> Float:
     """Blocks at these places as rows of nine; zero where there is none."""
     result = np.zeros((rows.size, 3, 3))
     where = {(int(i), int(j)): n for n, (i, j) in enumerate(zip(rows, columns, strict=True))}

@@ -1,7 +1,6 @@
 """Static shapes: how deep a point is in them, one file for each shape."""
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
@@ -84,7 +83,7 @@ def passes(
     return enters >= 0 and leaves >= 0 and enters // 2 == leaves // 2 and enters != leaves
 
 
-def shape_table(shape: Shape) -> dict[str, Any]:
+def shape_table(shape: Shape) -> dict[str, object]:
     """A shape as the page knows it: its kind, and its numbers by name."""
     if isinstance(shape, Solid):
         numbers = {"vertices": shape.vertices, "triangles": shape.triangles}

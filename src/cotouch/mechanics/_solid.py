@@ -1,7 +1,6 @@
 """Laws of tetrahedra of others: what makes a stress and an energy a material that bodies can be of."""
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
@@ -12,10 +11,11 @@ from cotouch.mechanics._bounds import as_written
 from cotouch.mechanics._force import LAWS
 from cotouch.mechanics._force_tetrahedra import SOLIDS, SolidLaw, evaluate, resist, tables_of
 from cotouch.mechanics._four_numbers import FourNumbers
+from cotouch.mechanics._matrix3 import Matrix
 
 
 def register_solid(
-    name: str, *, stress: Callable[..., Any], energy: Callable[..., Any], poisson_above: float = -1.0
+    name: str, *, stress: Callable[..., Matrix], energy: Callable[..., float], poisson_above: float = -1.0
 ) -> SolidLaw:
     """Makes a law of tetrahedra known by its name, instead of one of the same name.
 
@@ -45,7 +45,7 @@ def register_solid(
 _LAMBDA, _MU = 3.0, 1.7
 
 
-def _findings(stress: Callable[..., Any], energy: Callable[..., Any]) -> list[str]:
+def _findings(stress: Callable[..., Matrix], energy: Callable[..., float]) -> list[str]:
     """What a law breaks of the interface, in a sentence each; it is run as it is written, not compiled."""
 
     def stored(h: Float) -> float:

@@ -4,9 +4,10 @@ import hashlib
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Literal, cast, final
+from typing import Literal, cast, final
 
 import numpy as np
+import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.body import Body
@@ -182,11 +183,11 @@ def _fingerprint(ready: Model) -> list[float]:
     return numbers
 
 
-def _flat(values: Any) -> list[Any]:
+def _flat(values: object) -> list[npt.ArrayLike]:
     """All arrays and numbers of a tuple of tuples."""
     if isinstance(values, tuple):
-        return [found for value in cast("tuple[Any, ...]", values) for found in _flat(value)]
-    return [] if values is None else [values]
+        return [found for value in cast("tuple[object, ...]", values) for found in _flat(value)]
+    return [] if values is None else [cast("npt.ArrayLike", values)]
 
 
 def _force_numbers(force: BodyForce, rng: np.random.Generator, rows: float) -> list[float]:

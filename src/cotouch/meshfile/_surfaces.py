@@ -1,11 +1,9 @@
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
-# trimesh has no types
 """Triangles of a file, by trimesh where it knows the format."""
 
 import io
 import re
 from pathlib import Path
-from typing import Any, BinaryIO, Final
+from typing import BinaryIO, Final
 
 import numpy as np
 
@@ -60,8 +58,7 @@ def _by_library(path: Path) -> tuple[Float, Long]:
 
     kind = path.suffix.lower()[1:]
     with path.open("rb") as file:
-        scene: Any = trimesh.load_scene(_stl(file) if kind == "stl" else file, file_type=kind, process=False)
-        mesh: Any = scene.to_mesh()
+        mesh = trimesh.load_scene(_stl(file) if kind == "stl" else file, file_type=kind, process=False).to_mesh()
         points = np.array(mesh.vertices, dtype=np.float64).reshape(-1, 3)
         triangles = np.array(mesh.faces, dtype=np.int64).reshape(-1, 3)
         if kind == "ply" and triangles.shape[0] == 0:
@@ -94,12 +91,12 @@ def _strips(file: BinaryIO) -> tuple[Float, Long]:
     """Triangles of the strips of a PLY file; -1 ends a strip."""
     from trimesh.exchange.ply import load_ply
 
-    found: Any = load_ply(file)
+    found = load_ply(file)
     points = np.array(found["vertices"], dtype=np.float64).reshape(-1, 3)
-    element: Any = found["metadata"]["_ply_raw"].get("tristrips", {})
+    element = found["metadata"]["_ply_raw"].get("tristrips", {})
     if "data" not in element:
         return points, np.zeros((0, 3), dtype=np.int64)
-    rows: Any = element["data"][next(iter(element["properties"]))]
+    rows = element["data"][next(iter(element["properties"]))]
     rows = rows["f1"] if rows.dtype.names else rows  # packed, a list has its length before it
     flat = np.concatenate([np.append(np.asarray(row, dtype=np.int64), -1) for row in rows])
     parts = [strip(part[part >= 0]) for part in np.split(flat, np.flatnonzero(flat < 0))]

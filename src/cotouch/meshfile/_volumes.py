@@ -1,9 +1,7 @@
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
-# meshio has no types
 """Tetrahedra and named sets of a file, by meshio."""
 
 from pathlib import Path
-from typing import Any, Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
@@ -12,6 +10,9 @@ from cotouch.errors import BodyError
 from cotouch.meshfile._legacy import gmsh_1, is_gmsh_1, vtk_kind
 from cotouch.meshfile._mesh import Mesh
 from cotouch.meshfile._promises import check, too_many
+
+if TYPE_CHECKING:
+    import meshio
 
 # Of marks that number cells; a file with more has them for something else.
 _MOST_MARKS: Final = 1000
@@ -44,7 +45,7 @@ def read(path: Path, most: int) -> Mesh:
             raise BodyError("is a surface (POLYDATA) and has no tetrahedra; make a tetrahedral mesh of it")
     if suffix == ".msh" and is_gmsh_1(path):
         return _checked(gmsh_1(path), most)
-    read: Any = meshio.read(path, file_format=form)
+    read = meshio.read(path, file_format=form)
     points = np.array(read.points, dtype=np.float64)
     blocks = [(str(block.type), np.array(block.data, dtype=np.int64)) for block in read.cells]
     corners = {"tetra": 4, "tetra10": 10}
@@ -79,7 +80,7 @@ def _checked(mesh: Mesh, most: int) -> Mesh:
     return mesh
 
 
-def _sets(read: Any, blocks: list[tuple[str, Long]], points: int, notes: list[str]) -> dict[str, Long]:
+def _sets(read: "meshio.Mesh", blocks: list[tuple[str, Long]], points: int, notes: list[str]) -> dict[str, Long]:
     """Points of every set that the file names: node sets, cell sets, physical groups, marks on points."""
     found: dict[str, Long] = {}
     for name, members in read.point_sets.items():
@@ -94,7 +95,7 @@ def _sets(read: Any, blocks: list[tuple[str, Long]], points: int, notes: list[st
         ]
         if corners:
             found[str(name)] = np.unique(np.concatenate(corners))
-    tags = read.cell_data.get("gmsh:physical")
+    tags = read.cell_data.get("gmsh:physical", [])
     names = {(int(tag), int(size)): str(name) for name, (tag, size) in read.field_data.items()} if tags else {}
     sizes = {"vertex": 0, "line": 1, "triangle": 2, "triangle6": 2, "tetra": 3, "tetra10": 3}
     for (tag, size), name in names.items():

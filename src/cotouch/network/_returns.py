@@ -1,5 +1,3 @@
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
-# what numpy makes of one number in a kernel has no type
 """The slowest mode of the consensus as that of the returns to one user; compiled.
 
 Eliminating all users but one, the anchor, from `G(s) = diag(S_i) - K_ij e^(-s d_ij)` leaves `f(s) = S (1 - φ(s))`.
@@ -121,7 +119,7 @@ def _wave(delay: Float, size: Float, frequency: float, real: Float, imag: Float)
     """`size e^(-i ω d)`, by series of the half angle: several at once, without a call each."""
     turn = frequency / (2.0 * np.pi)
     for e in range(len(delay)):
-        turns = turn * delay[e]
+        turns: float = turn * delay[e]
         x = np.pi * (turns - np.round(turns))
         q = x * x
         c = 1.0 - q / 20 / 19

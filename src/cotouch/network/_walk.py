@@ -1,5 +1,3 @@
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
-# what numpy makes of one number in a kernel has no type
 """Turn of the determinant of a delayed loop along a line, and its roots by Newton, in compiled form."""
 
 import numpy as np
@@ -163,7 +161,7 @@ def walk(loop: Loop, line: float, low: float, high: float, most: int, starts: Co
             began = aside
         else:
             change = phase * last.conjugate()
-            exact = np.arctan2(change.imag, change.real)
+            exact: float = np.arctan2(change.imag, change.real)
             turn += exact + 2.0 * np.pi * np.round((expected - exact) / (2.0 * np.pi))
         closer = np.abs(speed) > np.abs(old)
         if falling and not closer and count < len(starts):
@@ -242,7 +240,7 @@ def polish(loop: Loop, start: complex, scale: float, known: Complex, copies: Lon
                 s = complex(s.real, 0.0)
             return complex(s.real, np.abs(s.imag)), True
         # Newton nears a root of c copies by the share 1 - 1/c each time; c times the step is quick again.
-        ratio = size / last
+        ratio: float = size / last
         # From afar a crowd of roots looks like one of many copies, and such a step would leap across all of them.
         if several == 1.0 and 0.4 < ratio < 0.95 and np.abs(ratio - before) < 0.02 * ratio and size < _CLOSE * here:
             several = np.round(1.0 / (1.0 - ratio))

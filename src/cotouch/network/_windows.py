@@ -1,5 +1,3 @@
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
-# what numpy makes of one number in a kernel has no type
 """The windows of frequency in which a consensus may have a root right of a line; compiled.
 
 Such a root needs the delays of all links to resonate together. Few intervals of frequency let them, for a fine time
@@ -43,7 +41,7 @@ def _may_resonate(
     turn, half = 0.5 * (low + high) / (2.0 * np.pi), 0.5 * (high - low)
     total = 0.0
     for e in range(links):
-        turns = turn * around[e]
+        turns: float = turn * around[e]
         away = max(np.abs(turns - np.round(turns)) * 2.0 * np.pi - half * around[e], 0.0)
         square = away * away
         # 1 - cos, from below

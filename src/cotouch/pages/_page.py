@@ -1,5 +1,3 @@
-# pyright: reportUnknownMemberType=false
-# matplotlib's keywords have no types
 """Pieces of an HTML page: numbers, tables, verdicts, figures; everything in one file, nothing loaded from elsewhere."""
 
 import io

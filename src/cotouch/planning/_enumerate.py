@@ -253,9 +253,8 @@ def enumerated(problem: Problem, top: int, parallel: Parallel, jobs: int) -> Gen
         parallel: a `joblib.Parallel`.
         jobs: how many stretches run at once.
     """
-    import joblib as untyped
+    import joblib
 
-    joblib: Any = untyped
     quick = _QUICK if problem.objective in ("damping", "drag") else 1
     length = min(max(problem.choices // _STRETCHES, _SHORTEST * quick), _LONGEST * quick)
     starts = iter(range(0, problem.choices, length))

@@ -1,9 +1,7 @@
-# pyright: reportUnknownMemberType=false
-# matplotlib's keywords have no types
 """The figures of a plan: networks side by side, one objective against another, and what more links bring and cost."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
@@ -109,9 +107,9 @@ def networks(cases: Sequence[tuple[str, Network]]) -> "Figure":
 
 def _legible(name: str, index: int) -> str:
     """A user's name, or the number where the figure's font lacks a letter of it."""
-    from matplotlib.font_manager import FontProperties, findfont, get_font  # pyright: ignore[reportUnknownVariableType]
+    from matplotlib.font_manager import FontProperties, findfont, get_font
 
-    font: Any = get_font(findfont(FontProperties()))
+    font = get_font(findfont(FontProperties()))
     return name if all(font.get_char_index(ord(letter)) for letter in name) else f"user {user_number(index)}"
 
 

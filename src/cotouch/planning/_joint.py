@@ -3,7 +3,7 @@
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Any, final
+from typing import Any, TypedDict, final
 
 import numpy as np
 import numpy.typing as npt
@@ -22,6 +22,12 @@ FIRST, _FOLLOWED = 20, 2
 _GLANCE, _THOROUGH = 8, 60
 # Bounds of all springs, as a share of the softest and the stiffest that is given.
 _RANGE = 10.0
+
+
+class _Object(TypedDict):
+    mass: npt.ArrayLike
+    damping: npt.ArrayLike
+    stiffness: npt.ArrayLike
 
 
 @final
@@ -94,13 +100,13 @@ def plan_springs(
         JointInterrupted: a `KeyboardInterrupt` that holds the best found by then.
     """
     begun, asked = clock(), flag()
-    body: dict[str, Any] = {"mass": mass, "damping": damping, "stiffness": stiffness}
+    body: _Object = {"mass": mass, "damping": damping, "stiffness": stiffness}
     top = max(FIRST, int(options.pop("top", 1)))
     if ranked is None:
         half = None if seconds is None else 0.5 * seconds
-        more = options | body
+        options |= body
         ranked = plan(
-            network, links=links, objective="decay", top=top, seconds=half, clock=clock, progress=progress, **more
+            network, links=links, objective="decay", top=top, seconds=half, clock=clock, progress=progress, **options
         )
     least, most = _springs(network)
     known: dict[tuple[Pair, ...], Tuned] = {}

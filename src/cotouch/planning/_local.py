@@ -7,7 +7,7 @@ it certain.
 
 from collections.abc import Callable, Generator
 from dataclasses import dataclass, field, replace
-from typing import Any, TypeAlias, final
+from typing import TypeAlias, final
 
 import numpy as np
 
@@ -348,9 +348,8 @@ def walked(
         closing: whether it is time to end: what floods hold then is worked out, the highest first.
         ending: raised once there is no time for that either.
     """
-    import joblib as untyped
+    import joblib
 
-    joblib: Any = untyped
     walks = [Walk(start) for start in range(min(side_by_side(problem.task.size), starts))]
     following, best = len(walks), np.inf
     walks = [*([] if begin[0] is None else [Walk(_GIVEN)]), *walks]

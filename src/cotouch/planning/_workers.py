@@ -1,20 +1,53 @@
 """Who works: the cores of this machine, or those of a Dask cluster."""
 
 import time
-from collections.abc import Callable, Generator, Iterable
-from contextlib import ExitStack, contextmanager
-from typing import Any, TypeAlias, final
+from collections.abc import Callable, Generator, Iterable, Mapping
+from contextlib import AbstractContextManager, ExitStack, contextmanager
+from typing import Protocol, TypeAlias, TypeVar, cast, final
 
 from cotouch.errors import UnsupportedError
 from cotouch.interrupt import check
 
-Call: TypeAlias = tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]
-# Does calls made by `joblib.delayed` and gives their results in order.
-Parallel: TypeAlias = Callable[[Iterable[Call]], list[Any]]
+R = TypeVar("R")
+R_co = TypeVar("R_co", covariant=True)
+# What `joblib.delayed` makes of a function's arguments.
+Call: TypeAlias = tuple[Callable[..., R], tuple[object, ...], dict[str, object]]
 
 # A scheduler is given so long to answer, and to have workers; and so long is waited for new ones once all are lost [s].
 _ANSWER, _PATIENCE = 10.0, 5.0
 _LOOK = 0.2
+
+
+class Parallel(Protocol):
+    """Does calls made by `joblib.delayed` and gives their results in order."""
+
+    def __call__(self, calls: Iterable[Call[R]], /) -> list[R]:
+        """Results of the calls."""
+        ...
+
+
+class _Future(Protocol[R_co]):
+    """What is used of a call that a worker of a cluster does."""
+
+    @property
+    def status(self) -> str: ...
+
+    def done(self) -> bool: ...
+
+    def result(self) -> R_co: ...
+
+    def cancel(self) -> object: ...
+
+
+class _Client(Protocol):
+    """What is used of a `distributed.Client`."""
+
+    @property
+    def status(self) -> str: ...
+
+    def submit(self, function: Callable[..., R], /, *given: object, pure: bool, **named: object) -> _Future[R]: ...
+
+    def scheduler_info(self) -> Mapping[str, Mapping[str, Mapping[str, int]]]: ...
 
 
 @final
@@ -47,7 +80,7 @@ class Cluster:
 
     def __init__(
         self,
-        client: Any,
+        client: _Client,
         here: Parallel,
         *,
         patience: float = _PATIENCE,
@@ -81,7 +114,7 @@ class Cluster:
             self._give_up("The Dask scheduler has no workers")
         return count
 
-    def __call__(self, calls: Iterable[Call]) -> list[Any]:
+    def __call__(self, calls: Iterable[Call[R]], /) -> list[R]:
         """Results of the calls, in order."""
         every = list(calls)
         if self._given_up:
@@ -125,9 +158,8 @@ def workers(jobs: int, dask: str | None) -> Generator[Workers]:
     Raises:
         UnsupportedError: there is no Dask here, or no scheduler answers.
     """
-    import joblib as untyped
+    import joblib
 
-    joblib: Any = untyped
     with ExitStack() as stack:
         count = joblib.cpu_count() if jobs == -1 else jobs
         client = None if dask is None else stack.enter_context(_client(dask))
@@ -140,12 +172,12 @@ def workers(jobs: int, dask: str | None) -> Generator[Workers]:
         yield Workers(cluster, cluster.wait_for_workers() or count)
 
 
-def _client(dask: str) -> Any:
+def _client(dask: str) -> AbstractContextManager[_Client]:
     try:
         from distributed import Client
     except ImportError:
         raise UnsupportedError('dask is asked for but not installed; install "cotouch[dask]"') from None
     try:
-        return Client(dask, timeout=_ANSWER)
+        return cast("AbstractContextManager[_Client]", Client(dask, timeout=_ANSWER))
     except (OSError, ValueError) as error:
         raise UnsupportedError(f'no Dask scheduler answers at "{dask}"; start one or correct the address') from error

@@ -4,9 +4,9 @@ import contextlib
 import json
 import struct
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any, Final, cast, final
+from typing import Final, cast, final
 
 import numpy as np
 from mcap.records import ChunkIndex
@@ -167,9 +167,9 @@ class RecordingFile:
         self._writer.add_message(self._steps, time, pack(batch), time, sequence)
         self._writer.add_message(self._ledger, time, json.dumps(_ledger(batch)).encode(), time, sequence)
 
-    def event(self, fields: dict[str, Any]) -> None:
+    def event(self, fields: Mapping[str, object]) -> None:
         """Adds an event; what JSON has no word for is written as text."""
-        time = self._ns(float(fields["time"]))
+        time = self._ns(float(cast("float", fields["time"])))
         self._writer.add_message(self._events, time, json.dumps(fields, default=_plain).encode(), time)
 
     def flush(self) -> None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import fields
-from typing import Any, final
+from typing import final
 
 import numpy as np
 import numpy.typing as npt
@@ -384,9 +384,17 @@ def _body_of(arrays: Mapping[str, Array], rest: Float, places: npt.ArrayLike) ->
         poisson=_number(said["poisson"]),
         viscosity=_number(said["viscosity"]),
     )
-    inner: dict[str, Any] = {name: SumOfSquares(matrices[name]) for name in _INNER}
-    outer: dict[str, Any] = {name: matrices[name] for name in _OUTER}
     skin = None
     if _PREFIX + _SKIN + _SURFACE[0] in arrays:
         skin = Skin(**{name: arrays[_PREFIX + _SKIN + name] for name in _SURFACE})
-    return Body(rest=rest, material=material, skin=skin, places=places, **inner, **outer)
+    return Body(
+        rest=rest,
+        material=material,
+        skin=skin,
+        places=places,
+        mass=matrices["mass"],
+        damping_int=SumOfSquares(matrices["damping_int"]),
+        damping_ext=matrices["damping_ext"],
+        stiffness_int=SumOfSquares(matrices["stiffness_int"]),
+        stiffness_ext=matrices["stiffness_ext"],
+    )

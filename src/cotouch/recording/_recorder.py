@@ -1,12 +1,12 @@
 """The recorder: numbers are copied in the loop, and written by a thread, for which no loop that keeps time waits."""
 
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from queue import Empty, SimpleQueue
 from threading import Thread
-from typing import Any, NamedTuple, final
+from typing import NamedTuple, NotRequired, TypedDict, final
 
 import numpy as np
 import numpy.typing as npt
@@ -112,14 +112,14 @@ class Recorder:
         self._buffers = max(2, buffers)
         self._patience = _JOIN if waits else 0.0
         self._free: SimpleQueue[Buffer] = SimpleQueue()
-        self._full: SimpleQueue[_Full | dict[str, Any] | None] = SimpleQueue()
+        self._full: SimpleQueue[_Full | Mapping[str, object] | None] = SimpleQueue()
         self._current: Buffer | None = None
         self._neighbours: tuple[int, ...] | None = None
         self._next = 0
         self._ended = header.monotonic
         self._written = self._failed_steps = self._failed_events = 0  # the thread's
         self._dropped_steps = self._dropped_events = 0  # the loop's
-        self._gap: dict[str, Any] | None = None
+        self._gap: _Gap | None = None
         self._closed = False
         new = file if isinstance(file, NewFile) else NewFile(Path(file))
         self._file = RecordingFile(new, header)
@@ -334,7 +334,7 @@ class Recorder:
         self.failure = reason or str(error)
         self._file.abandon()
 
-    def _put(self, item: "_Full | dict[str, Any]") -> None:
+    def _put(self, item: "_Full | Mapping[str, object]") -> None:
         if isinstance(item, _Full):
             self._file.batch(item.buffer.batch())
             self._file.flush()
@@ -343,6 +343,16 @@ class Recorder:
         self._file.event(item)
         if self._full.empty():
             self._file.flush()
+
+
+class _Gap(TypedDict):
+    """Steps that are not in the file, as an event."""
+
+    kind: str
+    time: float
+    first: int
+    steps: int
+    last: NotRequired[int]
 
 
 class _Full(NamedTuple):

@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Hashable
 from contextlib import suppress
 from functools import lru_cache
-from typing import Any, cast, final
+from typing import cast, final
 
 from cotouch.errors import SessionError, TransportError
 from cotouch.samples._address import Address, numeric, origin
@@ -210,7 +210,7 @@ class UdpTransport:
         old = self._neighbours.get(neighbour)
         if source == old:
             return
-        pair = cast("tuple[Any, ...]", source) if isinstance(source, tuple) else ()
+        pair = cast("tuple[object, ...]", source) if isinstance(source, tuple) else ()
         if len(pair) != 2:
             raise SessionError(f"{source!r} is not an address; it must be a numeric host and a port")
         new = (_reachable(str(pair[0]), six=self._six), _port(pair[1], given=True))

@@ -1,13 +1,14 @@
 """The table of a scenario for tools that are rigid bodies: moved by a pose, with force and torque."""
 
 from collections.abc import Mapping
-from typing import Annotated, Any, Self, cast, final
+from typing import Annotated, Self, cast, final
 
 import numpy as np
 from pydantic import Discriminator, Field, SerializerFunctionWrapHandler, Tag, model_serializer, model_validator
 
 from cotouch.arrays import Float
 from cotouch.body import Body
+from cotouch.files import table_of
 from cotouch.scenario._body_tables import FileTable, RigidBoxTable, RigidCylinderTable, RigidSphereTable
 from cotouch.scenario._tables import Firm, NonNegative, Number, Place, Positive, Table, check_times, split_table
 from cotouch.scenario._tool_tables import RIGID, SimulatedDeviceTable, ToolHand, ToolPath, ToolTable
@@ -121,8 +122,8 @@ class RigidToolTable(Table):
 
     @model_serializer(mode="wrap")
     def _joined(self, handler: SerializerFunctionWrapHandler) -> dict[str, object]:
-        table: dict[str, Any] = handler(self)
-        solid = table.pop("solid")
+        table: dict[str, object] = handler(self)
+        solid = table_of(table.pop("solid")) or {}
         if table.get("device") is None:
             table.pop("device", None)
         return {**table, **solid}

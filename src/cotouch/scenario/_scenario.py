@@ -343,7 +343,7 @@ class Scenario(Table):
         """
         if isinstance(self.body, Body) or any(isinstance(part.body, Body) for part in self.bodies):
             raise ScenarioError("body was made in Python; a file holds a body as one of its tables")
-        tables: dict[str, Any] = {}
+        tables: dict[str, object] = {}
         for name in type(self).model_fields:
             value: object = getattr(self, name)
             if name == "network":
@@ -367,14 +367,15 @@ class Scenario(Table):
 
     def as_json(self) -> str:
         """The whole scenario as JSON, for a result's attributes. A body made in Python is named by its size only."""
-        tables: dict[str, Any] = {"title": self.title, "seed": self.seed, "network": self.network.as_table()}
+        tables: dict[str, object] = {"title": self.title, "seed": self.seed, "network": self.network.as_table()}
         if isinstance(self.body, Body):
             tables["body"] = {"kind": "made in Python", "nodes": self.body.nodes, "dimension": self.body.dimension}
         else:
             tables["body"] = self.body.model_dump()
+        law = self.synchronisation.law or self.law[0]
         for name in ("steps", "synchronisation", "channel", "initial", "solver", "record"):
-            tables[name] = getattr(self, name).model_dump(by_alias=True)
-        tables["synchronisation"]["law"] = self.synchronisation.law or self.law[0]
+            table = getattr(self, name).model_dump(by_alias=True)
+            tables[name] = table | {"law": law} if name == "synchronisation" else table
         tables["hands"] = [hand.model_dump() for hand in self.hands]
         if self.proxies:
             tables["tools"] = [tool.model_dump() for tool in self.proxies]

@@ -218,11 +218,11 @@ class TextureTable(Table):
             wave, half = 2.0 * np.pi / (self.wavelength or 1.0), 0.5 * self.top()
             ridges = half * (1.0 + np.sin(wave * u))
             return ridges if self.pattern == "ridges" else 0.5 * ridges * (1.0 + np.sin(wave * v))
-        from scipy.ndimage import map_coordinates  # pyright: ignore[reportUnknownVariableType]
+        from scipy.ndimage import map_coordinates
 
         across, along = self.size or (1.0, 1.0)
         where = [v / along * heights.shape[0] - 0.5, u / across * heights.shape[1] - 0.5]
-        found = np.asarray(map_coordinates(heights, where, order=3, mode="grid-wrap"), dtype=np.float64)
+        found = map_coordinates(heights, where, order=3, mode="grid-wrap")
         return np.clip(found, 0.0, self.top())
 
 

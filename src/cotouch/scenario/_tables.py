@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
-from typing import Annotated, Any, Literal, Self, cast, final
+from typing import Annotated, Literal, Self, cast, final
 
 from pydantic import (
     BaseModel,
@@ -159,7 +159,7 @@ class Synchronisation(Table):
     """
 
     mode: Mode = "freshest"
-    law: str | dict[str, Any] | None = None
+    law: str | dict[str, object] | None = None
     damping: DampingMethod | NonNegative | list[NonNegative] | None = None
     damping_scale: NonNegative = 1.0
     extra_damping: NonNegative | list[NonNegative] = 0.0
@@ -172,7 +172,8 @@ class Synchronisation(Table):
         """Name of the law, and the parameters that are given; None: no law is named."""
         if self.law is None or isinstance(self.law, str):
             return None if self.law is None else (self.law, {})
-        return str(self.law["kind"]), {name: value for name, value in self.law.items() if name != "kind"}
+        given = cast("dict[str, float | str]", self.law)  # `_known_law` checks that
+        return str(given["kind"]), {name: value for name, value in given.items() if name != "kind"}
 
     @model_validator(mode="after")
     def _of_the_mode(self) -> Self:

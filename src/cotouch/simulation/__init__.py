@@ -24,7 +24,7 @@ from cotouch.simulation._result import dataset, save, simulate
 from cotouch.simulation._schedule import Schedule, schedule
 from cotouch.simulation._shown import animation, frame_rate
 from cotouch.simulation._summary_tables import Judged, Numbers, RigidToolSummary, Summary, ToolSummary
-from cotouch.simulation._tables import tables  # pyright: ignore[reportUnknownVariableType]  pandas has no types
+from cotouch.simulation._tables import tables
 
 __all__ = [
     "FIGURES",

@@ -1,7 +1,6 @@
 """What an animation is made of, checked: sizes, indices and finite numbers."""
 
 from collections.abc import Sequence
-from typing import Any, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -24,7 +23,12 @@ def keep_frozen(thing: object, **values: object) -> None:
 
 
 def numbers_of(
-    name: str, values: npt.ArrayLike | None, error: type[InputError], *, finite: bool = True, kind: type = np.float64
+    name: str,
+    values: npt.ArrayLike | None,
+    error: type[InputError],
+    *,
+    finite: bool = True,
+    kind: npt.DTypeLike = np.float64,
 ) -> Array:
     """An array of numbers.
 
@@ -36,7 +40,7 @@ def numbers_of(
         kind: of the numbers.
     """
     try:
-        array: Array = np.array(values, dtype=cast("Any", kind), order="C")
+        array: Array = np.array(values, dtype=kind, order="C")
     except (TypeError, ValueError, OverflowError) as reason:
         raise error(f"{name} are not an array of numbers ({reason})") from reason
     if finite and not np.isfinite(array).all():

@@ -1,10 +1,8 @@
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false, reportUnknownParameterType=false
-# matplotlib's axes in three dimensions have no types
 """What was understood of a body: its numbers, and a picture."""
 
 import itertools
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, TypedDict
+from typing import TYPE_CHECKING, Final, TypedDict
 
 import numpy as np
 
@@ -160,7 +158,7 @@ def _figure(body: Body, numbers: BodyReport, fields: Float) -> "Figure":
     _surface(panels[1], vertices, triangles, alpha=0.07)
     loose = np.setdiff1d(np.arange(body.nodes), origin.held)
     loose = loose[:: -(-loose.size // _DOTS)] if loose.size else loose
-    dots: dict[str, Any] = {"linewidths": 0.0, "depthshade": False, "clip_on": False}
+    dots: dict[str, object] = {"linewidths": 0.0, "depthshade": False, "clip_on": False}
     own = float(np.clip(220.0 / np.sqrt(max(loose.size, 1)), 1.5, 9.0))
     panels[1].scatter(*body.rest[loose].T, s=own, color=USERS[0], alpha=0.55, **dots)
     if origin.held.size:
@@ -239,9 +237,8 @@ def _scale(panel: "Axes3D", low: Float, high: Float) -> None:
     length = max(m for m in (1.0, 2.0, 5.0) if m * decade <= 0.5 * extent[0]) * decade
     factor, unit = prefix(longest, "m")
     start = np.array([low[0], low[1] - 0.09 * longest, low[2]])
-    free: dict[str, Any] = {"clip_on": False}
     ends = np.stack([start, start + length * np.eye(3)[0]])
-    panel.plot(*ends.T, color=INK, linewidth=1.4, solid_capstyle="butt", **free)
+    panel.plot(*ends.T, color=INK, linewidth=1.4, solid_capstyle="butt", clip_on=False)
     middle = start + np.array([0.5 * length, 0.0, -0.035 * longest])
     panel.text(*middle, f"{length / factor:g} {unit}", color=INK, fontsize=7.0, ha="right", va="top")
 
@@ -266,7 +263,7 @@ def _coarser(skin: Skin) -> tuple[Float, Long, Long]:
         Vertices, triangles, and which vertex of the skin each is.
     """
     vertices, triangles = skin.vertices, skin.triangles.astype(np.int64)
-    kept = np.arange(vertices.shape[0])
+    kept: Long = np.arange(len(vertices))
     extent = float(np.ptp(vertices, axis=0).max())
     for cells in itertools.count(90, -10):
         if triangles.shape[0] <= _TRIANGLES or cells < 10:

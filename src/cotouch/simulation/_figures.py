@@ -1,10 +1,8 @@
-# pyright: reportUnknownMemberType=false
-# matplotlib's keywords have no types
 """Figures of a run: positions, forces, energies and ages."""
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
@@ -16,6 +14,7 @@ from cotouch.drawing import (
     MUTED,
     SHADE,
     USERS,
+    UserLine,
     decimate,
     drawn,
     end_labels,
@@ -124,7 +123,7 @@ def shade_hold(axes: "Axes", run: "xr.Dataset", *, label: bool = True) -> None:
 
 
 def _panels(figure: "Figure", rows: int, ratios: Sequence[float] | None = None) -> "list[Axes]":
-    grid = figure.subplots(rows, 1, sharex=True, squeeze=False, gridspec_kw={"height_ratios": ratios})
+    grid = figure.subplots(rows, 1, sharex=True, squeeze=False, height_ratios=ratios)
     panels: list[Axes] = list(grid[:, 0])
     panels[-1].set_xlabel("Time / s")
     return panels
@@ -183,10 +182,10 @@ def _owners(run: "xr.Dataset") -> list[int]:
     return [tool["user"] - 1 for tool in tables_of(run).get("tools", [])]
 
 
-def _tool_line(owners: list[int], tool: int) -> dict[str, Any]:
+def _tool_line(owners: list[int], tool: int) -> UserLine:
     """The colour of the user; the second tool of one is dashed, the third dotted."""
     mine = [other for other, owner in enumerate(owners) if owner == owners[tool]].index(tool)
-    return {**user_line(owners[tool]), "linestyle": DASHES[mine % len(DASHES)]}
+    return {"color": user_line(owners[tool])["color"], "linestyle": DASHES[mine % len(DASHES)]}
 
 
 def _tool_places(run: "xr.Dataset") -> "Figure":

@@ -1,9 +1,8 @@
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownParameterType=false
-# pandas has no types
 """A run as xarray has it, but for one method that would cross dimensions which have nothing to do with each other."""
 
+from collections.abc import Hashable, Sequence
 from math import prod
-from typing import TYPE_CHECKING, Any, final
+from typing import TYPE_CHECKING, final
 
 import xarray as xr
 
@@ -19,12 +18,11 @@ class Run(xr.Dataset):
 
     __slots__ = ()
 
-    def to_dataframe(self, *args: Any, **options: Any) -> "pd.DataFrame":
+    def to_dataframe(self, dim_order: Sequence[Hashable] | None = None) -> "pd.DataFrame":
         """As xarray's, of variables that have their dimensions in common, such as `run[["kinetic", "elastic"]]`.
 
         Args:
-            args: as for `xarray.Dataset.to_dataframe`.
-            options: likewise.
+            dim_order: as for `xarray.Dataset.to_dataframe`.
 
         Raises:
             ScenarioError: no variable has all dimensions.
@@ -37,4 +35,4 @@ class Run(xr.Dataset):
                 f"a table of this run would cross {' with '.join(map(str, self.sizes))}, which is {rows:.2g} rows; "
                 "take cotouch.tables(run), a table for each set of dimensions, or choose variables that share them"
             )
-        return super().to_dataframe(*args, **options)
+        return super().to_dataframe(dim_order)

@@ -1,11 +1,12 @@
 """From a run to its animation."""
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, TypedDict
 
 import numpy as np
 
 from cotouch.arrays import Array, Bool, Float, Long
-from cotouch.body import Body, CutSkin, cut_away, cut_skin, drawn_parts, drawn_tools
+from cotouch.body import Body, CutSkin, DrawnPart, Skin, cut_away, cut_skin, drawn_parts, drawn_tools
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import Shape
 from cotouch.scenario import DrawnTexture, TextureTable, WorldTable
@@ -25,6 +26,18 @@ _RATE = 60.0
 _MOST_FRAMES = 1200
 _MOST_PLACES = 6_000_000
 _LARGEST = 1e6
+
+
+class _Drawn(TypedDict, total=False):
+    """What an `Animation` draws of a body."""
+
+    skin: Skin
+    displacement: Array
+    parts: Sequence[DrawnPart]
+    spans: Float
+    vertices: Array
+    rest: Float
+    edges: Long
 
 
 def frame_rate(scenario: "Scenario") -> float:
@@ -62,27 +75,6 @@ def animation(run: "xr.Dataset", body: Body) -> Animation:
     when = run["frame"].values[: frames.shape[0]].astype(np.float64)
     tables = tables_of(run)
     apart = distances(frames[:, :, : body.shared], _debris(run, body, when)[:, :, : body.shared])
-    shape: dict[str, Any]
-    faces = cut_skin(body) if "cut_time" in run else None
-    if faces is not None:
-        shape = {
-            "skin": faces.skin,
-            "displacement": frames - body.rest.astype(np.float32),
-            "spans": _in_their_copies(body, _spans(run, faces), faces),
-            "parts": drawn_parts(body, _colours(tables.get("bodies", [])), faces),
-        }
-    elif body.skin is not None and body.skin.triangles.size:
-        shape = {
-            "skin": body.skin,
-            "displacement": frames - body.rest.astype(np.float32),
-            "parts": drawn_parts(body, _colours(tables.get("bodies", []))),
-        }
-        if body.tools:
-            always = np.empty((frames.shape[1], body.skin.triangles.shape[0], 2))
-            always[...] = -np.inf, np.inf
-            shape["spans"] = _in_their_copies(body, always)
-    else:
-        shape = {"vertices": frames, "rest": body.rest, "edges": _edges(body)}
     return Animation(
         title=run.attrs["title"],
         users=[str(name) for name in run["user"].values],
@@ -93,8 +85,29 @@ def animation(run: "xr.Dataset", body: Body) -> Animation:
         series=[UserSeries(name="Discrepancy", unit="m", values=np.fmax.reduce(apart, axis=2))],
         shapes=_shapes(tables.get("world", {})),
         texture=_texture(tables.get("contact", {})),
-        **shape,
+        **_drawn(run, tables, frames, body),
     )
+
+
+def _drawn(run: "xr.Dataset", tables: RunTables, frames: Array, body: Body) -> _Drawn:
+    """What is drawn of all copies: the skin that is left, the whole skin, or nodes and springs."""
+    bodies = tables.get("bodies", [])
+    moved = frames - body.rest.astype(np.float32)
+    if "cut_time" in run and (faces := cut_skin(body)) is not None:
+        return {
+            "skin": faces.skin,
+            "displacement": moved,
+            "spans": _in_their_copies(body, _spans(run, faces), faces),
+            "parts": drawn_parts(body, _colours(bodies), faces),
+        }
+    if body.skin is None or not body.skin.triangles.size:
+        return {"vertices": frames, "rest": body.rest, "edges": _edges(body)}
+    shape: _Drawn = {"skin": body.skin, "displacement": moved, "parts": drawn_parts(body, _colours(bodies))}
+    if body.tools:
+        always = np.empty((frames.shape[1], body.skin.triangles.shape[0], 2))
+        always[...] = -np.inf, np.inf
+        shape["spans"] = _in_their_copies(body, always)
+    return shape
 
 
 def _debris(run: "xr.Dataset", body: Body, when: Float) -> Bool:

@@ -1,5 +1,3 @@
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false, reportUnknownArgumentType=false, reportUnknownParameterType=false
-# pandas has no types
 """A run as tidy tables: a row for each step of whoever took it."""
 
 from typing import TYPE_CHECKING

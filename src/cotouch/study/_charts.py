@@ -1,5 +1,3 @@
-# pyright: reportUnknownMemberType=false
-# matplotlib's keywords have no types
 """The figures of the report."""
 
 from typing import TYPE_CHECKING

@@ -7,7 +7,7 @@ import secrets
 import time
 from collections.abc import Callable, Coroutine, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any, Final, final
+from typing import Final, final
 
 from cotouch.errors import CotouchError, PageError
 from cotouch.observers import Command, CopyView, MoveHand, SessionApi, SetDamping
@@ -263,7 +263,7 @@ class Hub:
         else:
             self.api.hold_damping(True)
 
-    def _spawn(self, work: Coroutine[Any, Any, None]) -> None:
+    def _spawn(self, work: Coroutine[object, object, None]) -> None:
         task = asyncio.get_running_loop().create_task(work)
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)

@@ -3,7 +3,7 @@
 import json
 import math
 import struct
-from typing import Annotated, Any, Final, Literal, NamedTuple, final
+from typing import Annotated, Final, Literal, NamedTuple, final
 
 from pydantic import Field, ValidationError
 
@@ -59,8 +59,7 @@ class PointerMessage:
         Raises:
             PageError: it is none.
         """
-        parts: tuple[Any, ...] = _POINTER.unpack(message)
-        _, slot, action, zero, number, point, x, y, z, radius, stiffness, sent, *last = parts
+        _, slot, action, zero, number, point, x, y, z, radius, stiffness, sent, *last = _POINTER.unpack(message)
         if action >= len(_ACTIONS) or zero:
             raise PageError(f"the pointer's action is {action}; it must be 0 to 4, and the byte after it 0")
         mode = _ACTIONS[int(action)]

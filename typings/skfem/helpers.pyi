@@ -1,0 +1,6 @@
+import numpy as np
+import numpy.typing as npt
+from skfem import DiscreteField
+
+def dot(u: DiscreteField, v: DiscreteField) -> npt.NDArray[np.float64]: ...
+def grad(u: DiscreteField) -> DiscreteField: ...

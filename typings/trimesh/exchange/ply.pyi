@@ -1,0 +1,3 @@
+from typing import Any, BinaryIO
+
+def load_ply(file_obj: BinaryIO) -> dict[str, Any]: ...
