@@ -627,3 +627,25 @@ def test_options_are_alike_where_numba_says_so():
     assert one != other
     assert hash(one) == hash(same)
     assert one != "nrt"
+
+
+def test_generators_and_functions_of_pythons_objects_are_compiled_as_ever():
+    """They alone ask what lives where a block begins, which numba would work out nine times for each kernel."""
+    any_numba: Any = numba
+
+    @any_numba.njit
+    def sums(most: int) -> Generator[int]:
+        total = 0
+        for number in range(most):
+            total += number
+            yield total
+
+    @any_numba.jit(forceobj=True)
+    def spaced(text: str) -> str:
+        found = ""
+        for letter in text:
+            found += letter + "-"
+        return found
+
+    assert list(sums(4)) == [0, 1, 3, 6]
+    assert spaced("ab") == "a-b-"
