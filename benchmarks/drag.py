@@ -149,7 +149,7 @@ def _read(paths: list[Path]) -> tuple[Recording, Recording] | None:
 
 
 def _travelled(recording: Recording) -> float:
-    return float(recording.states["x"][-1, 0, 0]) if len(recording.states["x"]) else 0.0
+    return float(recording.states["position"][-1, 0, 0]) if len(recording.states["position"]) else 0.0
 
 
 def _judge(
@@ -160,12 +160,12 @@ def _judge(
     said: tuple[float | None, float | None],
     last: list[dict[str, Any]],
 ) -> Felt:
-    place = np.interp(np.arange(ann.steps), ann.states["state_row"], ann.states["x"][:, 0, 0])
+    place = np.interp(np.arange(ann.steps), ann.states["state_row"], ann.states["position"][:, 0, 0])
     begun = float(ann.time[np.flatnonzero(place > SPEED * SETTLING)[0]])
     window = _window(ann, begun, seconds)
-    T, force = ann.columns["T"][window], ann.columns["force"][window, 0, 0]
+    T, force = ann.columns["period"][window], ann.columns["force"][window, 0, 0]
     way = place[window][-1] - place[window][0]
-    others = np.interp(ann.time[window], ben.time[ben.states["state_row"]], ben.states["x"][:, 0, 0])
+    others = np.interp(ann.time[window], ben.time[ben.states["state_row"]], ben.states["position"][:, 0, 0])
     damping = [_damping(one, _window(one, begun, seconds)) for one in (ann, ben)]
     return Felt(
         law=law,
@@ -189,7 +189,7 @@ def _damping(recording: Recording, window: npt.NDArray[np.bool_]) -> float:
     damping = np.zeros(recording.steps)
     for setup, span in recording.setup_rows():
         damping[span] = setup.local_damping[0]
-    return float(np.average(damping[window], weights=recording.columns["T"][window]))
+    return float(np.average(damping[window], weights=recording.columns["period"][window]))
 
 
 def _predicted(law: str, damping: list[float]) -> float:

@@ -21,11 +21,12 @@ from numba.core.compiler import Flags
 from numba.core.cpu import CPUContext
 from numba.core.dispatcher import Dispatcher
 from numba.extending import overload
+from tests.mechanics.inside import credit
 
 import cotouch
 from cotouch import compiled as machine
 from cotouch import stamps as sources
-from cotouch.mechanics import credit, settle, step
+from cotouch.mechanics import settle, step
 from cotouch.network import rightmost
 
 PACKAGE = Path(str(cotouch.__file__)).parent

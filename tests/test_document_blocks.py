@@ -18,6 +18,7 @@ import pytest
 import typer
 from tests.blocks import PAGES, ROOT, Block, blocks_of, commands_of
 from tests.cli.commands import here
+from tests.mechanics.inside import LAWS
 from tests.recording.driven import Driven
 from tests.web.fake_session_api import FakeSessionApi
 
@@ -26,7 +27,7 @@ from cotouch.cli import app
 from cotouch.haptics import Driver, driver
 from cotouch.laboratory import Study
 from cotouch.laws import laws
-from cotouch.mechanics import CONTACT_LAWS, LAWS, device_couplings
+from cotouch.mechanics import CONTACT_LAWS, device_couplings
 from cotouch.members import SessionFile
 from cotouch.scenario import Scenario
 

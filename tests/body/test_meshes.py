@@ -12,6 +12,7 @@ from tests.body.shapes import block, box, joined, rotation, sphere, volume
 
 from cotouch.body import (
     Body,
+    NodeNumbers,
     NodeSet,
     NodesInBox,
     NodesNearPlane,
@@ -264,6 +265,7 @@ class TestGround:
             (NodeSet(name="foot"), 'the ground is the set "foot"; the sets of this mesh are: none'),
             ("top", 'ground is "top"; it must be "none", "all", a face "x-"'),
             ([63], "ground names node index 63; this body has nodes 0 to 62"),
+            (NodeNumbers([64]), "ground names node 64; this body has nodes 1 to 63"),
         ],
     )
     def test_refused(self, ground: Any, message: str):

@@ -58,7 +58,7 @@ def moved(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Moved:
     """A recording of two tools, the first of which was never anywhere."""
     path = Driven(tmp_path, seconds=0.5).run()[0]
     bare = read_recording(path)
-    time = bare.columns["end"] - bare.columns["end"][0]
+    time = bare.columns["time"] - bare.columns["time"][0]
     place = 0.1 + 0.02 * np.stack([np.sin(9 * time), np.cos(7 * time), time], axis=1)
     places = np.stack([np.full_like(place, np.nan), place], axis=1)
     with_tools = replace(bare, columns={**bare.columns, "tool_position": places})

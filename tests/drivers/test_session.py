@@ -97,9 +97,9 @@ def test_an_inverse3_takes_part_until_it_is_unplugged_and_the_others_go_on(
     for one in (said, bens):
         assert one["status"]["residual"] < 1e-9
     recordings = [read_recording(tmp_path / f"{name}.mcap") for name in "ab"]
-    moved = [np.ptp(recording.states["x"], axis=0).max() for recording in recordings]
+    moved = [np.ptp(recording.states["position"], axis=0).max() for recording in recordings]
     for recording in recordings:  # 100 steps a second, on the clock of the stand-in
-        assert (recording.columns["end"] > struck).sum() > 50
+        assert (recording.columns["time"] > struck).sum() > 50
     assert moved[1] > 1e-3  # Ben, who touches nothing, is moved by the hand that holds the Inverse3
     found = audit(recordings)
     assert found.holds, found.findings

@@ -9,6 +9,7 @@ from cotouch.mechanics._contact_foundation import Foundation
 from cotouch.mechanics._contact_law import press
 from cotouch.mechanics._contact_over import stretch_tool
 from cotouch.mechanics._contact_weigh import EASY, is_closed, next_scale
+from cotouch.mechanics._coupling import credit
 from cotouch.mechanics._crossing import crosses
 from cotouch.mechanics._cutting_of import EDGES
 from cotouch.mechanics._direction_search import (
@@ -24,7 +25,7 @@ from cotouch.mechanics._direction_search import (
 )
 from cotouch.mechanics._fit import Fit, box_distance, fit_of, place_vertex, refit
 from cotouch.mechanics._foot import foot
-from cotouch.mechanics._force import evaluate, lean, resist
+from cotouch.mechanics._force import LAWS, evaluate, lean, resist
 from cotouch.mechanics._kernel import outlined
 from cotouch.mechanics._materials import gradients_of, lame_of
 from cotouch.mechanics._nearest import SWEEPS
@@ -45,6 +46,7 @@ __all__ = [
     "FOUND",
     "HOPELESS",
     "JAMMED",
+    "LAWS",
     "LEAST",
     "MOST",
     "SOLIDS",
@@ -63,6 +65,7 @@ __all__ = [
     "chebyshev_iterations",
     "combine_kept",
     "conjugate_gradients",
+    "credit",
     "crosses",
     "evaluate",
     "fit_of",

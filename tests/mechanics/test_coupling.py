@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from tests.mechanics.inside import credit
 
 from cotouch.errors import DeviceError
 from cotouch.mechanics import (
     checked_virtual_coupling,
-    credit,
     modulate,
     modulation_bound,
     virtual_coupling_limit,

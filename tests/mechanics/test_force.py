@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 import pytest
-from tests.mechanics.inside import outlined
+from tests.mechanics.inside import LAWS, outlined
 from tests.mechanics.materials import (
     EVERY,
     SOLIDS,
@@ -29,7 +29,6 @@ from cotouch.mechanics import (
     CLOSURE,
     CLOSURE_ALARM,
     KINETIC,
-    LAWS,
     LOCAL_LOSS,
     SHORTENED,
     BodyForce,

@@ -6,10 +6,11 @@ from typing import Any
 
 import pytest
 from tests.blocks import blocks_of
+from tests.mechanics.inside import LAWS
 
 from cotouch.body import is_solid_model, solid_laws
 from cotouch.errors import BodyError
-from cotouch.mechanics import LAWS, inner, matrix3, register_solid
+from cotouch.mechanics import inner, matrix3, register_solid
 
 PAGE = Path(__file__).parents[2] / "docs" / "extending.md"
 NONE = "it cannot be evaluated: "

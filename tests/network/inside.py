@@ -6,6 +6,7 @@ from cotouch.network._definite import definite, negatives
 from cotouch.network._elimination import REGULAR, cut, evaluate, scratch
 from cotouch.network._exact import exact_margin, sync_hermitian
 from cotouch.network._gains import coefficients, damping_matrices
+from cotouch.network._lags import cycle_period
 from cotouch.network._resonance import _swift as swift
 from cotouch.network._resonance import _thorough as thorough
 from cotouch.network._returns import bend_of, excluded, turn_of
@@ -21,6 +22,7 @@ __all__ = [
     "consensus_loop",
     "count_right",
     "cut",
+    "cycle_period",
     "damping_matrices",
     "definite",
     "evaluate",

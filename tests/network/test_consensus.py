@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.network.inside import consensus_loop, lifted_matrix
+from tests.network.inside import consensus_loop, cycle_period, lifted_matrix
 from tests.network.support import GRAPHS, five_users, mixings, pairs, random_network, uniform
 from tests.thorough import examples
 
 from cotouch.errors import NetworkError
-from cotouch.network import complete, consensus_lags, cycle_period, mixing, ring, slowest
+from cotouch.network import complete, consensus_lags, mixing, ring, slowest
 
 
 def printed_J(network, lags):

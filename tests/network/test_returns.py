@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from tests.network.inside import bend_of, consensus_loop, excluded, swift, thorough, turn_of
+from tests.network.inside import bend_of, consensus_loop, cycle_period, excluded, swift, thorough, turn_of
 from tests.network.support import five_users, pairs, random_network
 
 from cotouch.network import (
@@ -10,7 +10,6 @@ from cotouch.network import (
     characteristic,
     closed_loop,
     consensus_lags,
-    cycle_period,
     none_beyond,
     on_line,
     value,

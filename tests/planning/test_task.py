@@ -4,10 +4,11 @@ from itertools import combinations
 
 import numpy as np
 import pytest
+from tests.network.inside import cycle_period
 from tests.planning.inside import admissible, between, hopeless, make_problem, period_of, pulls, rate, unrank
 from tests.planning.support import GRID, small_network
 
-from cotouch.network import consensus_lags, cycle_period
+from cotouch.network import consensus_lags
 
 COMMON = {"time_unit": GRID}
 

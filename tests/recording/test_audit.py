@@ -471,7 +471,7 @@ def test_what_one_user_got_out_is_not_held_against_anybody_once_another_is_cut_o
     early = first.first_steps(first.steps // 4)
     result = audit([replace(early, broken=None if whole else "it ends before its index"), second])
     assert result.holds, result.verdict
-    end = float(early.time[-1] - first.time[0] + first.columns["T"][0])
+    end = float(early.time[-1] - first.time[0] + first.columns["period"][0])
     assert any(f"steps are missing from {end:.2f} s on" in note for note in result.notes)
     assert result.margin_time <= end + 1e-9
     assert result.numbers()["holds"]

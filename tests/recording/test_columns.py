@@ -22,7 +22,7 @@ def batch(steps: int, links: int, states: int, seed: int = 0) -> Batch:
     columns["link_state"] = rng.integers(0, 4, (steps, links)).astype(np.int8)
     columns["force"] = rng.normal(size=(steps, 2, 3))
     columns["state_row"] = np.sort(rng.choice(steps, states, replace=False)).astype(np.int32)
-    columns["x"] = rng.normal(size=(states, 4, 3))
+    columns["position"] = rng.normal(size=(states, 4, 3))
     columns["own"] = rng.normal(size=(steps, 5))
     return Batch(tuple(range(3, 3 + links)), columns)
 
@@ -49,7 +49,7 @@ def test_broken_bytes_are_refused_or_are_a_batch(data: st.DataObject) -> None:
         found = unpack(bytes(good))
     except RecordingError:
         return
-    count = found.columns["end"].size
+    count = found.columns["time"].size
     assert all(values.shape[0] == count for name, values in found.columns.items() if name not in STATES)
 
 
@@ -57,7 +57,7 @@ def test_sizes_that_contradict_each_other_are_refused() -> None:
     one = batch(6, 2, 3)
     for name, values in (
         ("age", np.zeros((6, 3))),
-        ("end", np.zeros(5)),
+        ("time", np.zeros(5)),
         ("state_row", np.array([0, 1, 6], dtype=np.int32)),
         ("state_row", np.array([2, 1, 3], dtype=np.int32)),
     ):

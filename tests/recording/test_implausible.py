@@ -10,7 +10,7 @@ from tests.recording.inside import SCALARS, Batch, recording_of
 from cotouch.errors import RecordingError
 from cotouch.recording import Audit, Recording, audit, read_recording
 
-_NO_ENERGY = {"index", "end", "T", "iterations"}
+_NO_ENERGY = {"index", "time", "period", "iterations"}
 
 
 @pytest.fixture(scope="module")
@@ -34,7 +34,9 @@ def test_the_recordings_hold_as_they_are(honest: list[Recording]) -> None:
     assert audit(honest).holds
 
 
-@pytest.mark.parametrize("name", [*sorted(SCALARS.keys() - _NO_ENERGY), "force", "x", "v", "middle", "link_work"])
+@pytest.mark.parametrize(
+    "name", [*sorted(SCALARS.keys() - _NO_ENERGY), "force", "position", "velocity", "middle", "link_work"]
+)
 @pytest.mark.parametrize("value", [np.nan, 1e300])
 def test_a_step_with_a_number_that_is_none_does_not_hold(honest: list[Recording], name: str, value: float) -> None:
     result = with_column(honest, name, value, slice(30, 31))
@@ -51,7 +53,7 @@ def test_without_tools_their_ledger_is_empty(honest: list[Recording], name: str,
     assert not with_column(honest, name, value, where).holds
 
 
-@pytest.mark.parametrize(("name", "value"), [("T", np.inf), ("T", np.nan), ("end", np.nan), ("age", np.inf)])
+@pytest.mark.parametrize(("name", "value"), [("period", np.inf), ("period", np.nan), ("time", np.nan), ("age", np.inf)])
 def test_times_that_are_none_are_no_recording(honest: list[Recording], name: str, value: float) -> None:
     first = honest[0]
     columns = {**first.columns, name: np.array(first.columns[name])}

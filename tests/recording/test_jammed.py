@@ -107,7 +107,7 @@ def test_only_what_touches_loses_motion(honest: list[Recording], request: pytest
         assert not lost[:, 1].any()
         states = honest[0].states
         block = int(np.prod(BLOCK["shape"]))
-        for field in ("x", "v"):
+        for field in ("position", "velocity"):
             assert np.abs(states[field][:, block:]).max() < 1e-100
 
 
@@ -126,8 +126,8 @@ def test_a_die_that_only_a_guess_had_the_block_meet_falls_freely(tmp_path: Path)
     steps = {"duration": 0.16, "period": 0.008}
     ann = played(tmp_path, "touching", network=network, steps=steps, world={"gravity": [0.0, 0.0, -1.0]})[0]
     assert len(jammed(ann)) == 1
-    time = np.cumsum(ann.columns["T"])[ann.states["state_row"]]
-    die = ann.header.body.field(ann.states["x"])[:, int(np.prod(BLOCK["shape"])) :]
+    time = np.cumsum(ann.columns["period"])[ann.states["state_row"]]
+    die = ann.header.body.field(ann.states["position"])[:, int(np.prod(BLOCK["shape"])) :]
     assert np.abs(die[..., 2] + 0.5 * time[:, None] ** 2).max() <= 1e-14
     assert np.abs(die[..., :2]).max() <= 1e-14
 
@@ -149,7 +149,7 @@ def claimed(recording: Recording, name: str, change: Callable[[Any], Any], step:
         ("touch_loss", lambda loss: loss - 4e-5),
         ("touch_stored", lambda energy: energy + 4e-5),
         ("tool_velocity", lambda rate: 1.001 * rate),
-        ("v", lambda rate: 1.001 * rate),
+        ("velocity", lambda rate: 1.001 * rate),
         ("jammed", lambda about: np.nan * about),
         ("jammed", lambda about: 0.0 * about),
     ],
@@ -251,8 +251,8 @@ def test_how_fast_went_what_stopped_follows_from_the_step_itself(honest: list[Re
     body, rows = ann.header.body, ann.states["state_row"]
     if body.material is None:  # nothing of it can be cut
         return
-    x, v, middle = (body.field(ann.states[name]) for name in ("x", "v", "middle"))
-    mean = 2.0 * (x - middle) / ann.columns["T"][rows][:, None, None]
+    x, v, middle = (body.field(ann.states[name]) for name in ("position", "velocity", "middle"))
+    mean = 2.0 * (x - middle) / ann.columns["period"][rows][:, None, None]
     stopped = np.zeros(v.shape[:2], dtype=bool)
     stopped[~np.isin(rows, jammed(ann)), ::5] = True
     left = np.where(stopped[:, :, None], 0.0, v)

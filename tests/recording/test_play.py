@@ -35,7 +35,7 @@ def test_every_step_comes_when_it_is_due(recording: Recording, speed: float) -> 
         assert step.time == pytest.approx(0.004 * (k + 1))
         assert clock.now - 100.0 == pytest.approx(0.004 * k / speed)
         assert np.array_equal(step.force, recording.columns["force"][k])
-        assert step.place[0, 0] == recording.states["x"][k, 0, 0]
+        assert step.place[0, 0] == recording.states["position"][k, 0, 0]
     assert step.row == 99
 
 

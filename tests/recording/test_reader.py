@@ -11,7 +11,7 @@ import pytest
 from tests.recording.driven import Driven
 
 from cotouch.errors import RecordingError
-from cotouch.recording import Recording, read_recording
+from cotouch.recording import RecordedBody, Recording, read_recording
 
 
 @pytest.fixture(scope="module")
@@ -89,6 +89,17 @@ def test_damage_is_found_by_the_checksums(whole: Path, tmp_path: Path) -> None:
         assert_prefix(part, full)
         read += 1
     assert read > 50
+
+
+@pytest.mark.parametrize(("place", "value"), [(8, 1), (10, 99)])
+def test_a_body_packed_in_an_unknown_way_is_no_recording(place: int, value: int, whole: Path) -> None:
+    """A flipped bit there says that a part is encrypted, or compressed by a method that nobody knows."""
+    data = bytearray(read_recording(whole).header.body.to_bytes())
+    data[data.index(b"PK\x01\x02") + place] = value
+    local = 6 if place == 8 else 8
+    data[data.index(b"PK\x03\x04") + local] = value
+    with pytest.raises(RecordingError, match="body cannot be read"):
+        RecordedBody.from_bytes(bytes(data))
 
 
 def test_a_process_that_is_killed_leaves_what_it_has_written(tmp_path: Path) -> None:

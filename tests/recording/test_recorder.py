@@ -88,14 +88,14 @@ def test_a_session_comes_back_as_it_was(tmp_path: Path, body: str) -> None:
         for name in ("link_work", "age"):
             assert np.array_equal(read.columns[name], [getattr(entry, name) for entry in reports])
         assert np.array_equal(read.columns["force"], np.array([entry.force for entry in reports])[..., :axes])
-        assert np.array_equal(read.states["x"], np.array([x for x, _ in driven.states[user]])[..., :axes])
-        assert np.array_equal(read.states["v"], np.array([v for _, v in driven.states[user]])[..., :axes])
+        assert np.array_equal(read.states["position"], np.array([x for x, _ in driven.states[user]])[..., :axes])
+        assert np.array_equal(read.states["velocity"], np.array([v for _, v in driven.states[user]])[..., :axes])
         samples = np.array([entry.sample.position for entry in reports])[..., :axes]
         assert np.array_equal(read.states["middle"], samples)
         stamps = np.array([entry.sample.stamp for entry in reports])
-        assert np.allclose(read.columns["end"] - 0.5 * read.columns["T"], stamps, rtol=0, atol=1e-9)
+        assert np.allclose(read.columns["time"] - 0.5 * read.columns["period"], stamps, rtol=0, atol=1e-9)
         back = np.array([driven.model.to_nodes(x) for x, _ in driven.states[user]])
-        assert np.allclose(read.header.body.nodes(read.states["x"]), back, rtol=0, atol=1e-15)
+        assert np.allclose(read.header.body.nodes(read.states["position"]), back, rtol=0, atol=1e-15)
 
 
 def test_the_head_says_who_and_what(tmp_path: Path) -> None:
@@ -159,7 +159,7 @@ def test_states_of_a_large_body_are_kept_less_often(tmp_path: Path) -> None:
     assert read.columns["index"][read.states["state_row"]].tolist() == list(range(0, 25, 3))
     assert read.steps == 25
     x = [driven.states[0][k][0][:, :3] for k in range(0, 25, 3)]
-    assert np.array_equal(read.states["x"], x)
+    assert np.array_equal(read.states["position"], x)
 
 
 class SlowFile:
@@ -268,7 +268,7 @@ def test_other_readers_of_mcap_find_their_way(tmp_path: Path) -> None:
         assert schema.encoding == "jsonschema"
         assert json.loads(schema.data)["required"] == ["kind", "time", "first"]
         columns = json.loads(summary.schemas[topics["/steps"].schema_id].data)["columns"]
-        assert columns["T"]["unit"] == "s"
+        assert columns["period"]["unit"] == "s"
         ledger = [json.loads(message.data) for _, channel, message in reader.iter_messages(topics=["/ledger"])]
         assert ledger[0]["first"] == 0
         assert [book["first"] for book in ledger[1:]] == [book["last"] + 1 for book in ledger[:-1]]
@@ -276,7 +276,7 @@ def test_other_readers_of_mcap_find_their_way(tmp_path: Path) -> None:
         assert sum(book["links"][0]["work"] for book in ledger) == pytest.approx(float(read.columns["link_work"].sum()))
         assert {entry.name for entry in reader.iter_attachments()} == {"configuration.json", "body.npz"}
         times = [message.log_time for _, _, message in reader.iter_messages(topics=["/steps"])]
-        assert times[-1] == round((read.columns["end"][-1] + read.header.offset) * 1e9)
+        assert times[-1] == round((read.columns["time"][-1] + read.header.offset) * 1e9)
 
 
 def test_both_clocks_are_read_at_one_instant() -> None:

@@ -105,6 +105,13 @@ def test_a_network_alone_is_a_scenario() -> None:
         ("[steps]\nduration = 1\n[record]\nevery = 5000", ["record.every is 5000", "1000 steps"]),
         ("[record]\nevery = 10000000000000000000", ["record.every", "less than"]),
         ("[solver]\niterations = 10000000000000000000", ["solver.iterations", "less than"]),
+        ("[between]\nself_contact = 'yes'", ["between.self_contact is 'yes'; it must be true or false"]),
+        ("[between]\nself_contact = 1", ["between.self_contact is 1; it must be true or false"]),
+        ("[between]\nstiffness = 1e30", ["between.stiffness is 1e+30", "less than or equal to 1000000000000000"]),
+        ("[[world.planes]]\nstiffness = 1e30", ["world.planes[1].stiffness is 1e+30", "less than or equal to"]),
+        ("[cutting]\nusers = [1, 1]", ["cutting.users is [1, 1]; name each user once"]),
+        ("[body]\nkind = 'sphere'\nradius = 0.1\ndensity = 5\nmass = 2", ["density and mass are given", "only one"]),
+        ("[body]\nfile = 'a.stl'\ndensity = 5\nmass = 2", ["body.density and mass are given", "only one"]),
     ],
 )
 def test_what_is_wrong_is_one_sentence(text: str, words: list[str]) -> None:
@@ -122,7 +129,7 @@ def test_what_is_wrong_is_one_sentence(text: str, words: list[str]) -> None:
     [
         ("[[hands]]\nuser = 1\nnode = 9", "hands[1].node is 9; the body has nodes 1 to 1"),
         ("[[hands]]\nuser = 5", "hands[1].user is 5; the network has users 1 to 2"),
-        ("[body]\nkind = 'chain'\nnodes = 2\nground = [7]", "ground names node index 6; this body has nodes 0 to 1"),
+        ("[body]\nkind = 'chain'\nnodes = 2\nground = [7]", "ground names node 7; this body has nodes 1 to 2"),
         ("[record]\nevery = 2000000", "record.every is 2000000, but the run has 20000 steps; make it less"),
     ],
 )

@@ -205,7 +205,7 @@ def apart(recordings: list[Recording], times: np.ndarray) -> np.ndarray:
     """Greatest distance of two copies at each time (of the monotonic clock); of those that were there then."""
     places = np.full((len(recordings), times.size), np.nan)
     for k, recording in enumerate(recordings):
-        end, x = recording.columns["end"][recording.states["state_row"]], recording.states["x"][:, 0, 0]
+        end, x = recording.columns["time"][recording.states["state_row"]], recording.states["position"][:, 0, 0]
         there = (times >= end[0]) & (times <= end[-1])
         places[k, there] = np.interp(times[there], end, x)
     return np.nanmax(places, axis=0) - np.nanmin(places, axis=0)

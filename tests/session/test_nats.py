@@ -52,10 +52,10 @@ def missing(recordings: list[Recording], begin: float) -> list[str]:
     """What recordings lack of having moved as one through the cycle of the hand that begins then."""
     lacks = []
     for recording in recordings:
-        end, phase = recording.columns["end"], recording.columns["link_state"]
+        end, phase = recording.columns["time"], recording.columns["link_state"]
         during = (end >= begin) & (end <= begin + CYCLE)
         coupled = (phase[during] == LinkState.COUPLED).mean() if phase.shape[1:] == (1,) and during.any() else 0.0
-        places = recording.states["x"][during[recording.states["state_row"]], 0, 0]
+        places = recording.states["position"][during[recording.states["state_row"]], 0, 0]
         moved = np.ptp(places) if places.size else 0.0
         if end[0] > begin or coupled <= 0.8 or moved <= MOVED:
             lacks.append(
@@ -88,7 +88,7 @@ def test_two_behind_nats_feel_each_other(tmp_path: Path, ports: str, path_state:
         def felt() -> bool:
             nonlocal lacks, begin
             now = [read_recording(played.recordings[name][-1]) for name in names]
-            begin = min(recording.columns["end"][-1] for recording in now) - CYCLE
+            begin = min(recording.columns["time"][-1] for recording in now) - CYCLE
             lacks = missing(now, begin)
             lacks += [f"{one.name} has ways {paths(one)}" for one in now if paths(one)[-1:] != [path_state]]
             return not lacks

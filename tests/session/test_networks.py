@@ -149,7 +149,7 @@ def farthest(recordings: list[Recording], since: float) -> float:
 def guarded(recordings: list[Recording], begin: float, end: float) -> float:
     """Share of their time in which ends of links were guarded."""
     phases = [
-        r.columns["link_state"][(r.columns["end"] > begin) & (r.columns["end"] < end)].ravel() for r in recordings
+        r.columns["link_state"][(r.columns["time"] > begin) & (r.columns["time"] < end)].ravel() for r in recordings
     ]
     return float((np.concatenate(phases) == LinkState.GUARDED).mean())
 
@@ -198,13 +198,13 @@ def test_partition_one_way_outage_crash_of_a_member_and_of_the_host(tmp_path: Pa
     recordings = judged(played, said, FORCE)
     assert [recording.name for recording in recordings] == ["Ann", "Ben", "Cleo", "Cleo"]
     assert recordings[2].broken is not None
-    assert recordings[2].columns["end"][-1] > killed - 0.6  # readable up to its last batch
+    assert recordings[2].columns["time"][-1] > killed - 0.6  # readable up to its last batch
     lost = recordings[0].columns["link_state"][:, recordings[0].neighbours.index(2)]
-    during = (recordings[0].columns["end"] > cut + 0.5) & (recordings[0].columns["end"] < healed)
+    during = (recordings[0].columns["time"] > cut + 0.5) & (recordings[0].columns["time"] < healed)
     assert set(lost[during]) == {LinkState.GUARDED}
     moved = apart(recordings[:3], np.arange(cut + 0.5, healed, 0.01))
     assert moved.max() > 2.5 * NEAR  # what recovers below
     for what, since in times.items():
-        there = [r for r in recordings if r.columns["end"][0] < since and r.columns["end"][-1] > since + 4.0]
+        there = [r for r in recordings if r.columns["time"][0] < since and r.columns["time"][-1] > since + 4.0]
         assert len(there) == 3, what
         assert calmest(there, since, since + 4.0) < NEAR, what

@@ -168,9 +168,9 @@ def test_a_step_may_use_what_comes_while_it_still_reads(
     ann, ben = exchange
     got, gave = ben.columns["received"][:, 0], ann.columns["sent"][:, 0]
     steps = np.flatnonzero(np.diff(got) > 1e-6 * np.nanmax(got)) + 1
-    before = ann.columns["end"][np.searchsorted(gave, got[steps]) - 1]  # she had not given it yet
-    after = float(np.min(ben.columns["end"][steps] - before)) + ben.header.offset - ann.header.offset
-    late = replace(ann, columns={**ann.columns, "end": ann.columns["end"] + after + early})
+    before = ann.columns["time"][np.searchsorted(gave, got[steps]) - 1]  # she had not given it yet
+    after = float(np.min(ben.columns["time"][steps] - before)) + ben.header.offset - ann.header.offset
+    late = replace(ann, columns={**ann.columns, "time": ann.columns["time"] + after + early})
     assert [f.user for f in audit([late, ben]).findings if "had not given" in f.words] == accused
 
 

@@ -213,6 +213,7 @@ def test_an_animation_draws_the_cut(ran: Any) -> None:
     [
         ({"thickness": 0.0}, 'kind is "blade" and thickness is 0 m; a blade needs one above 0'),
         ({"thickness": None}, 'kind is "blade" and thickness is not given'),
+        ({"thickness": 1e9}, r"thickness is 1e\+09 m, but axis is .* m long; a blade is at most as thick"),
         ({"axis": [0.0, 0.0, 0.0]}, 'kind is "blade" and axis is of no length'),
         ({"friction": 0.5}, "friction is 0.5, but a blade does not touch"),
         ({"kind": "touch", "axis": None}, 'thickness is 0.001, but kind is "touch"; only a blade has one'),

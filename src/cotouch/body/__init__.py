@@ -10,7 +10,7 @@ from cotouch.body._cut_skin import FACES, CutSkin, cut_skin, drawn_skin
 from cotouch.body._eigenspaces import canonical
 from cotouch.body._from_surface import MOST_TRIANGLES, body_from_surface
 from cotouch.body._from_tetrahedra import MOST_ELEMENTS, body_from_tetrahedra
-from cotouch.body._ground import Held, NodeSet, NodesInBox, NodesNearPlane
+from cotouch.body._ground import Held, NodeNumbers, NodeSet, NodesInBox, NodesNearPlane
 from cotouch.body._material import Frame, Material, add_solid_law, solid_laws
 from cotouch.body._mesh_material import SurfaceModel, is_solid_model, solid_models
 from cotouch.body._origin import Origin
@@ -39,6 +39,7 @@ __all__ = [
     "Held",
     "Material",
     "Matrix",
+    "NodeNumbers",
     "NodeSet",
     "NodesInBox",
     "NodesNearPlane",

@@ -12,13 +12,14 @@ from cotouch.arrays import Index, Long
 from cotouch.body._body import Body
 from cotouch.body._checks import at_least_zero, one_number
 from cotouch.body._elasticity import cubes_of, springs_of_cells
+from cotouch.body._ground import NodeNumbers, indices_of
 from cotouch.body._material import Frame, Material, linear_material
 from cotouch.body._shapes import box_surface
 from cotouch.body._skin import Skin
 from cotouch.errors import BodyError
 
 # Which nodes the ground holds: a list of node indices, all, or the faces of the box ("x-" has the smallest x).
-Ground: TypeAlias = Sequence[int] | Literal["none", "all", "x-", "x+", "y-", "y+", "z-", "z+"]
+Ground: TypeAlias = Sequence[int] | NodeNumbers | Literal["none", "all", "x-", "x+", "y-", "y+", "z-", "z+"]
 
 GridModel: TypeAlias = Literal["springs", "cells", "spring-network"]
 
@@ -271,10 +272,4 @@ def _held(ground: Ground, places: Long, extents: tuple[int, ...]) -> npt.NDArray
             return np.flatnonzero(places[:, axis] == (0 if ground[1] == "-" else extents[axis] - 1))
         faces = ", ".join(f'"{name}-", "{name}+"' for name in "xyz"[: len(extents)])
         raise BodyError(f'ground is "{ground}"; it must be node indices, "none", "all" or a face: {faces}')
-    if any(index != int(index) for index in ground):
-        raise BodyError(f"ground is {list(ground)}; it must hold whole numbers, the indices of nodes")
-    indices = np.asarray(list(ground), dtype=np.int64)
-    bad = np.flatnonzero((indices < 0) | (indices >= count))
-    if bad.size:
-        raise BodyError(f"ground names node index {indices[bad[0]]}; this body has nodes 0 to {count - 1}")
-    return indices
+    return indices_of(ground, count)

@@ -59,9 +59,22 @@ class NodeSet:
     name: str
 
 
+@final
+@dataclass(frozen=True)
+class NodeNumbers:
+    """Nodes by their numbers from 1, as files count them.
+
+    Attributes:
+        numbers: of the nodes.
+    """
+
+    numbers: Sequence[int]
+
+
 # Which nodes the ground holds: none, all, a face of the bounding box ("x-" has the smallest x), or a place.
 Held: TypeAlias = (
     Sequence[int]
+    | NodeNumbers
     | Literal["none", "all", "x-", "x+", "y-", "y+", "z-", "z+"]
     | str
     | NodesNearPlane
@@ -122,11 +135,26 @@ def held_nodes(ground: Held, rest: Float, *, slack: float, spacing: float, sets:
             f'ground is "{ground}"; it must be "none", "all", a face "x-", "x+", "y-", "y+", "z-", "z+", '
             "a plane, a box, a named set, or node indices"
         )
-    indices = np.asarray(list(ground), dtype=np.intp)
-    bad = np.flatnonzero((indices < 0) | (indices >= rest.shape[0]))
-    if bad.size:
-        raise BodyError(f"ground names node index {indices[bad[0]]}; this body has nodes 0 to {rest.shape[0] - 1}")
-    return np.unique(indices)
+    return np.unique(indices_of(ground, rest.shape[0]))
+
+
+def indices_of(ground: Sequence[int] | NodeNumbers, count: int) -> Index:
+    """Indices of nodes that are named one by one; a message counts them as whoever named them does.
+
+    Args:
+        ground: indices, or numbers from 1.
+        count: nodes of the body.
+
+    Raises:
+        BodyError: one is no whole number, or not there.
+    """
+    first, what, named = (1, "", ground.numbers) if isinstance(ground, NodeNumbers) else (0, "index ", ground)
+    for node in named:
+        if node != int(node):
+            raise BodyError(f"ground is {list(named)}; it must hold whole numbers, the indices of nodes")
+        if not first <= node < first + count:
+            raise BodyError(f"ground names node {what}{node}; this body has nodes {first} to {first + count - 1}")
+    return np.asarray(list(named), dtype=np.intp) - first
 
 
 def rounded_face(ground: Held, rest: Float, held: Index) -> str | None:

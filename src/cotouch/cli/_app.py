@@ -185,7 +185,7 @@ def body(
         float | None,
         typer.Option(help="Stiffness of each spring, instead of Young's modulus [N/m].", show_default=False),
     ] = None,
-    density: Annotated[float, typer.Option(help="Density [kg/m³].")] = 1000.0,
+    density: Annotated[float | None, typer.Option(help="Density [kg/m³]; by default 1000.", show_default=False)] = None,
     mass: Annotated[
         float | None, typer.Option(help="Total mass, instead of a density [kg].", show_default=False)
     ] = None,

@@ -21,7 +21,6 @@ from cotouch.simulation import BodyReport, body_report, save_body_figure
 _USUAL = {
     "young": 1e4,
     "poisson": 0.3,
-    "density": 1000.0,
     "rayleigh_mass": 0.0,
     "rayleigh_stiffness": 0.0,
     "ground": "none",

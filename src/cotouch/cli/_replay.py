@@ -84,13 +84,13 @@ class _Now(TypedDict):
 def _now(recording: Recording, row: int) -> _Now:
     """What there is to say of one step and those just before it."""
     columns = recording.columns
-    end = float(columns["end"][row])
-    first = int(np.searchsorted(columns["end"], end - _WINDOW, side="right"))
+    end = float(columns["time"][row])
+    first = int(np.searchsorted(columns["time"], end - _WINDOW, side="right"))
     own = slice(first, row + 1)
-    span = end - float(columns["end"][first] - columns["T"][first])
+    span = end - float(columns["time"][first] - columns["period"][first])
     return {
         "rate": (row + 1 - first) / span,
-        "T": float(columns["T"][row]),
+        "T": float(columns["period"][row]),
         "force": float(_forces(recording, slice(row, row + 1))[0]),
         "residual": float(np.abs(columns["residual"][own]).max()),
         "stored": sum(float(columns[name][row]) for name in ("kinetic", "elastic", "proxy", "touch_stored")),
@@ -162,12 +162,12 @@ def _table(recording: Recording, row: int, time: float) -> Table:
 
 def _seconds(recording: Recording) -> float:
     columns = recording.columns
-    return float(columns["end"][-1] - columns["end"][0] + columns["T"][0])
+    return float(columns["time"][-1] - columns["time"][0] + columns["period"][0])
 
 
 def _summary(recording: Recording) -> dict[str, object]:
     columns = recording.columns
-    T, force = columns["T"], _forces(recording, slice(None))
+    T, force = columns["period"], _forces(recording, slice(None))
     counts: dict[str, int] = {}
     for event in recording.events:
         counts[event.kind] = counts.get(event.kind, 0) + 1

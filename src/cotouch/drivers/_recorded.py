@@ -69,7 +69,7 @@ class RecordedHand:
             raise DeviceError(
                 f"{self._path} has fewer than two positions of tool {self._tool}, so there is no motion in it"
             )
-        times, mine = recording.columns["end"][known], mine[known]
+        times, mine = recording.columns["time"][known], mine[known]
         self.middle = 0.5 * (mine.min(axis=0) + mine.max(axis=0))
         self._times, self._places = times - times[0], mine - self.middle
         self.length = float(self._times[-1])

@@ -17,7 +17,6 @@ from cotouch.mechanics._contact_still import press_skin
 from cotouch.mechanics._contact_work import Contact, contact_by
 from cotouch.mechanics._coupling import (
     checked_virtual_coupling,
-    credit,
     modulate,
     modulation_bound,
     unseen_place,
@@ -49,7 +48,7 @@ from cotouch.mechanics._coupling_pspm import PSPM_COUPLING
 from cotouch.mechanics._coupling_virtual import VIRTUAL_COUPLING
 from cotouch.mechanics._cutting import Cutting, begin_cut, decide_cuts, expose, hear_cuts, mark_cuts, sever, show_skin
 from cotouch.mechanics._cutting_of import cutting_of
-from cotouch.mechanics._force import LAWS, BodyForce
+from cotouch.mechanics._force import BodyForce
 from cotouch.mechanics._kernel import block, inner, kernel, part
 from cotouch.mechanics._meeting import Between
 from cotouch.mechanics._meeting_force import deepest_between
@@ -128,7 +127,6 @@ __all__ = [
     "GRASP",
     "ITERATIONS",
     "KINETIC",
-    "LAWS",
     "LEDGER_COLUMNS",
     "LOCAL_LOSS",
     "PROXY",
@@ -194,7 +192,6 @@ __all__ = [
     "contact_parts",
     "contact_step",
     "coupling_at",
-    "credit",
     "cutting_of",
     "decide_cuts",
     "deepest_between",

@@ -12,7 +12,7 @@ from cotouch.network._damping import (
 from cotouch.network._decay import Decay, closed_loop, rightmost_root
 from cotouch.network._elimination import invert
 from cotouch.network._exact import exact_scaling
-from cotouch.network._lags import Convention, Rounding, consensus_lags, cycle_period
+from cotouch.network._lags import Convention, Rounding, consensus_lags
 from cotouch.network._loop import Loop, characteristic
 from cotouch.network._network import Network
 from cotouch.network._resonance import none_beyond, slowest
@@ -38,7 +38,6 @@ __all__ = [
     "complete",
     "connected_graphs",
     "consensus_lags",
-    "cycle_period",
     "damping_for",
     "exact_scaling",
     "generator_eigenvalues",

@@ -169,7 +169,7 @@ def _left(recording: Recording) -> AuditFinding:
         link=None,
         place="state",
         energy=float("inf"),
-        time=float(columns["end"][row] - columns["end"][0] + columns["T"][0]),
+        time=float(columns["time"][row] - columns["time"][0] + columns["period"][0]),
         step=int(columns["index"][row]),
         words=f"{recording.name}'s numbers are no longer finite; nothing can be judged from there on",
     )

@@ -25,6 +25,7 @@ _UNREADABLE = (
     IndexError,
     TypeError,
     zipfile.BadZipFile,
+    RuntimeError,  # a part that says it is encrypted, or packed by a method that nobody knows
     zlib.error,
     BodyError,
 )

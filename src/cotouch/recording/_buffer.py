@@ -188,7 +188,10 @@ class Buffer:
             "link_state": self._link_state[:n],
             **{name: values[:n, :, :3] for name, values in tools},
             "state_row": self._row[:m],
-            **{name: values[:m, :, :axes] for name, values in zip(("x", "v", "middle"), self._state, strict=True)},
+            **{
+                name: values[:m, :, :axes]
+                for name, values in zip(("position", "velocity", "middle"), self._state, strict=True)
+            },
             **{name: values[:n] for name, values in self._extra.items()},
         }
         return Batch(self.extents.neighbours, columns)

@@ -2,8 +2,8 @@
 
 A batch is: length of the heading (uint32), heading (JSON, UTF-8, spaces up to a multiple of 8 bytes), arrays. All
 numbers are little-endian, arrays in C order, one after the other in the order of the heading. The heading says name,
-type and shape of each; the first extent is the number of steps, for state_row, x, v and middle that of the steps whose
-state was kept.
+type and shape of each; the first extent is the number of steps, for state_row, position, velocity and middle that of
+the steps whose state was kept.
 """
 
 import json
@@ -19,8 +19,8 @@ from cotouch.errors import RecordingError
 # One number for each step, in the order in which the recorder packs them.
 SCALARS: dict[str, tuple[str, str]] = {
     "index": ("1", "k, the number of the step, from 0"),
-    "end": ("s", "end of the step on the user's monotonic clock"),
-    "T": ("s", "length of the step"),
+    "time": ("s", "end of the step on the user's monotonic clock"),
+    "period": ("s", "length of the step"),
     "supplied": ("J", "work done at the ports"),
     "body_loss": ("J", "dissipated by the body's own dampers"),
     "local_loss": ("J", "dissipated by the damping B_i of the synchronisation"),
@@ -75,8 +75,8 @@ VECTORS: dict[str, tuple[str, str, str]] = {
 # Every m-th step only; `state_row` says which steps of the batch these are.
 STATES: dict[str, tuple[str, str, str]] = {
     "state_row": ("1", "row of the batch that the state belongs to", ""),
-    "x": ("m", "position after the step, from rest, in the rows of the model", "rows, axes"),
-    "v": ("m/s", "velocity after the step", "rows, axes"),
+    "position": ("m", "position after the step, from rest, in the rows of the model", "rows, axes"),
+    "velocity": ("m/s", "velocity after the step", "rows, axes"),
     "middle": ("m", "position at mid-step: the sample sent to the neighbours", "rows, axes"),
 }
 # Extra columns of links with a guard that an audit knows (`cotouch.peer.GuardLedger`); all but two are sums so far.
@@ -165,13 +165,13 @@ def unpack(data: bytes) -> Batch:
         values.shape[0] for name, values in columns.items() if name not in STATES
     }  # extra columns have a row for every step as well
     states = {values.shape[0] for name, values in columns.items() if name in STATES}
-    if len(steps) > 1 or len(states) > 1 or not {"index", "end", "T"} <= set(columns):
-        raise RecordingError("the columns of a batch have different lengths, or it has no index, end and T")
+    if len(steps) > 1 or len(states) > 1 or not {"index", "time", "period"} <= set(columns):
+        raise RecordingError("the columns of a batch have different lengths, or it has no index, time and period")
     links = [columns[name] for name in ("link_work", "age", "used", "link_state", SAID, *GUARDS) if name in columns]
     if any(values.ndim != 2 or values.shape[1] != len(neighbours) for values in links):
         raise RecordingError(f"a batch has {len(neighbours)} links, but columns of another width")
     rows = columns.get("state_row", np.zeros(0))
-    if rows.size and not (rows.min() >= 0 and rows.max() < columns["end"].size and np.all(np.diff(rows) > 0)):
+    if rows.size and not (rows.min() >= 0 and rows.max() < columns["time"].size and np.all(np.diff(rows) > 0)):
         raise RecordingError("the states of a batch belong to steps that it does not have")
     return Batch(neighbours, columns)
 

@@ -87,7 +87,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
         raise RecordingError("the recordings are of bodies of different sizes; give recordings of one session")
     offsets, _ = align(recordings)
     begins = [
-        float(recording.columns["end"][0] - recording.columns["T"][0]) + offset
+        float(recording.columns["time"][0] - recording.columns["period"][0]) + offset
         for recording, offset in zip(recordings, offsets, strict=True)
     ]
     start = min(begins)
@@ -116,11 +116,11 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
             put(name, dims, parts, unit, text)
 
     times = [
-        np.concatenate([[begin - start], recording.columns["end"] + offset - start])
+        np.concatenate([[begin - start], recording.columns["time"] + offset - start])
         for recording, begin, offset in zip(recordings, begins, offsets, strict=True)
     ]
     put("time", ("user", "step"), list(enumerate(times)), "s", "end of the step on the shared clock")
-    periods = [_shifted(recording.columns["T"]) for recording in recordings]
+    periods = [_shifted(recording.columns["period"]) for recording in recordings]
     put("period", ("user", "step"), list(enumerate(periods)), "s", "length T of the step")
     closed = any(recording.header.body.material is not None for recording in recordings)
     for name, text in (_SUMS | (_CLOSED_SUMS if closed else {})).items():
@@ -167,7 +167,7 @@ def recordings_dataset(recordings: Sequence[Recording]) -> "xr.Dataset":
                 parts.append((k, first if name == "link_work" else _shifted(values)))
             put(name, ("direction", "step"), parts, unit, text)
     _states(recordings, times, put)
-    known = {*data, *_TOOLS, *_CLOSED, CLOSING, "index", "end", "T"}
+    known = {*data, *_TOOLS, *_CLOSED, CLOSING, "index"}
     extra = [name for recording in recordings for name in recording.columns if name not in known and name not in ledger]
     for name in dict.fromkeys(extra):
         unit, text = next(
@@ -236,9 +236,9 @@ def _states(recordings: Sequence[Recording], times: Sequence[Float], put: _Put) 
         states, body = recording.states, recording.header.body
         if states["state_row"].size == 0:
             continue
-        x, v, middle = states["x"], states["v"], states["middle"]
+        x, v, middle = states["position"], states["velocity"], states["middle"]
         if every:  # the state before the first step follows from it
-            mean = 2.0 * (x[:1] - middle[:1]) / recording.columns["T"][0]
+            mean = 2.0 * (x[:1] - middle[:1]) / recording.columns["period"][0]
             x = np.concatenate([2.0 * middle[:1] - x[:1], x])
             v = np.concatenate([2.0 * mean - v[:1], v])
         places.append((at, body.rest + body.nodes(x)))

@@ -162,7 +162,7 @@ class RecordingFile:
 
     def batch(self, batch: Batch) -> None:
         """Adds a batch and its ledger."""
-        time = self._ns(float(batch.columns["end"][-1]))
+        time = self._ns(float(batch.columns["time"][-1]))
         sequence = int(batch.columns["index"][0]) & 0xFFFF_FFFF
         self._writer.add_message(self._steps, time, pack(batch), time, sequence)
         self._writer.add_message(self._ledger, time, json.dumps(_ledger(batch)).encode(), time, sequence)
@@ -221,8 +221,8 @@ def _ledger(batch: Batch) -> dict[str, object]:
     return {
         "first": int(columns["index"][0]),
         "last": int(columns["index"][-1]),
-        "begin": float(columns["end"][0] - columns["T"][0]),
-        "end": float(columns["end"][-1]),
+        "begin": float(columns["time"][0] - columns["period"][0]),
+        "end": float(columns["time"][-1]),
         "supplied": float(columns["supplied"].sum() + columns["drive_work"].sum()),
         "lost": lost,
         "stored": stored,

@@ -110,7 +110,7 @@ def _part(recording: "Recording") -> Long:
 def _whole(recording: "Recording", chosen: int, lost: Bool, copies: int) -> tuple[Float, Float]:
     """Momentum and mass of the bodies that lost motion, along each axis."""
     body = recording.header.body
-    v = body.field(recording.states["v"][chosen])[None]
+    v = body.field(recording.states["velocity"][chosen])[None]
     momentum, mass = np.zeros(3), np.zeros(3)
     for axis in range(3):
         whole = np.zeros(body.rest.shape)

@@ -63,7 +63,7 @@ def _on_the_way(moved: Sequence[Motion]) -> float | None:
 def _drag(moved: Sequence[Motion], users: int) -> float | None:
     taken = square = longest = 0.0
     for motion in moved:
-        T = motion.recording.columns["T"]
+        T = motion.recording.columns["period"]
         known = np.isfinite(motion.speed)
         if not known.any():
             return None

@@ -280,7 +280,7 @@ def _speed_at(motion: Motion, time: float) -> float:
         states = motion.recording.states
         if not motion.kept[0]:
             return 0.0
-        start = 4.0 * (states["x"][0] - states["middle"][0]) / T - states["v"][0]
+        start = 4.0 * (states["position"][0] - states["middle"][0]) / T - states["velocity"][0]
         field = motion.recording.header.body.field(start[None])
         square = float(motion.recording.header.body.form(motion.recording.header.body.weights[0], field)[0])
         fast = np.nanmax(motion.speed, initial=0.0)
@@ -310,7 +310,7 @@ class _Path:
     def __init__(self, motion: Motion) -> None:
         states = motion.recording.states
         rows = states["state_row"]
-        self._x, self._middle = states["x"], states["middle"]
+        self._x, self._middle = states["position"], states["middle"]
         knots = np.empty(2 * rows.size)
         knots[0::2], knots[1::2] = motion.begin[rows], motion.end[rows]
         self._knots = np.maximum.accumulate(knots)

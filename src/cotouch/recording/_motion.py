@@ -92,7 +92,7 @@ def motions(recordings: Sequence[Recording], offsets: Sequence[float]) -> list[M
 
 def _motion(recording: Recording, others: Sequence[Recording], offset: float) -> Motion:
     columns, body = recording.columns, recording.header.body
-    steps, T = recording.steps, columns["T"]
+    steps, T = recording.steps, columns["period"]
     rows = recording.states["state_row"]
     kept = np.zeros(steps, dtype=bool)
     kept[rows] = True
@@ -152,8 +152,8 @@ def _motion(recording: Recording, others: Sequence[Recording], offset: float) ->
     before = np.where(recording.consecutive, np.concatenate([[0.0], extra[:-1]]), extra - more)
     return Motion(
         recording=recording,
-        begin=columns["end"] - T + offset,
-        end=columns["end"] + offset,
+        begin=columns["time"] - T + offset,
+        end=columns["time"] + offset,
         kept=kept,
         known=known,
         link=link,
@@ -188,7 +188,9 @@ class _Steps:
         jammed: Jammed | None,
     ) -> None:
         self.body, self.recording, self.setup, self.T = body, recording, setup, T
-        x, self.v, self.middle = (body.field(recording.states[name][chosen]) for name in ("x", "v", "middle"))
+        x, self.v, self.middle = (
+            body.field(recording.states[name][chosen]) for name in ("position", "velocity", "middle")
+        )
         self.x = x
         self.mean = 2.0 * (x - self.middle) / T[:, None, None]
         self.copy_scale = 1.0 / setup.copies
@@ -290,7 +292,7 @@ class _Steps:
         if other is None or self.setup.law != "spring":
             return work, found
         own = self.recording.columns
-        places = _samples(other, own["used"][at, column], own["end"][at] - own["age"][at, column])
+        places = _samples(other, own["used"][at, column], own["time"][at] - own["age"][at, column])
         found = (places >= 0) & (own["link_state"][at, column] == LinkState.COUPLED)
         if not found.any():
             return work, found
@@ -315,7 +317,7 @@ def _samples(other: Recording, used: Long, stamp: Float) -> Long:
     if rows.size == 0:
         return np.full(used.size, -1)
     index = other.columns["index"][rows]
-    stamps = other.columns["end"][rows] - 0.5 * other.columns["T"][rows]
+    stamps = other.columns["time"][rows] - 0.5 * other.columns["period"][rows]
     by_index = np.searchsorted(index, used).clip(0, rows.size - 1)
     right = np.searchsorted(stamps, stamp).clip(0, rows.size - 1)
     left = (right - 1).clip(0)

@@ -56,7 +56,7 @@ def outside_of(recording: "Recording", scale: Float) -> Outside | None:
     if material is None or not (material.world or material.between):
         return None
     rows = states["state_row"]
-    x, middle = (recording.header.body.field(states[name]) for name in ("x", "middle"))
+    x, middle = (recording.header.body.field(states[name]) for name in ("position", "middle"))
     held = columns["world_stored"] / scale
     before = np.where(recording.consecutive, np.concatenate([[np.nan], held[:-1]]), np.nan)
     follows = np.concatenate([[False], np.diff(rows) == 1]) & recording.consecutive[rows]
@@ -64,7 +64,7 @@ def outside_of(recording: "Recording", scale: Float) -> Outside | None:
     when, index = cut_steps(recording), columns["index"][rows]
     gone = np.where(np.isin(index, when), np.nan, 0.0)
     told = Outside(before[rows], held[rows], (columns["world_loss"] / scale)[rows], gone)
-    given = (_begun(x, middle), x, columns["T"][rows], told)
+    given = (_begun(x, middle), x, columns["period"][rows], told)
     return material.outside(*given, fresh=fresh, follows=follows, index=index, when=when, user=recording.user)
 
 

@@ -59,7 +59,7 @@ def replay(
     if not speed > 0.0:
         raise RecordingError(f"speed is {speed:g}; it must be greater than 0")
     columns, states = recording.columns, recording.states
-    ends = columns["end"] - columns["end"][0] + columns["T"][0]
+    ends = columns["time"] - columns["time"][0] + columns["period"][0]
     rows = np.flatnonzero((ends >= start - _SAME) & (ends <= stop + _SAME))
     if rows.size == 0:
         asked = f"between {start:g} s and {stop:g} s" if np.isfinite(stop) else f"after {start:g} s"
@@ -75,5 +75,5 @@ def replay(
             sleep(wait)
         state = int(np.searchsorted(kept, row, side="right")) - 1
         if state != shown and state >= 0:
-            shown, place = state, body.nodes(states["x"][state])
-        yield Replayed(int(row), float(ends[row]), float(columns["T"][row]), columns["force"][row], place)
+            shown, place = state, body.nodes(states["position"][state])
+        yield Replayed(int(row), float(ends[row]), float(columns["period"][row]), columns["force"][row], place)

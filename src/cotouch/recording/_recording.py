@@ -110,7 +110,7 @@ class Recording:
     @property
     def steps(self) -> int:
         """Number of steps in it."""
-        return int(self.columns["end"].size)
+        return int(self.columns["time"].size)
 
     @property
     def user(self) -> int:
@@ -125,14 +125,14 @@ class Recording:
     @property
     def time(self) -> Float:
         """End of every step in Unix time, by this machine's clock [s]."""
-        return self.columns["end"] + self.header.offset
+        return self.columns["time"] + self.header.offset
 
     @property
     def cut(self) -> str | None:
         """Where and why the file ends early, in words; None if it is whole."""
         if self.broken is None:
             return None
-        seconds = float(self.columns["end"][-1] - self.columns["end"][0] + self.columns["T"][0])
+        seconds = float(self.columns["time"][-1] - self.columns["time"][0] + self.columns["period"][0])
         return f"cut off after step {int(self.columns['index'][-1]):,}, {seconds:.2f} s from its start: {self.broken}"
 
     @property
@@ -185,7 +185,7 @@ class Recording:
         for name in (*SCALARS, "force"):
             rows = np.flatnonzero(~(np.abs(self.columns[name].reshape(self.steps, -1)) < _LARGEST).all(axis=1))
             bad = min(bad, int(rows[0])) if rows.size else bad
-        for name in ("x", "v", "middle"):
+        for name in ("position", "velocity", "middle"):
             values = self.states.get(name, np.zeros((0, 1)))
             if values.size:
                 rows = np.flatnonzero(~(np.abs(values.reshape(values.shape[0], -1)) < _LARGEST).all(axis=1))
@@ -230,7 +230,7 @@ def recording_of(
     if not batches:
         raise RecordingError("it ends before its first batch of steps")
     neighbours = tuple(sorted({user for batch in batches for user in batch.neighbours}))
-    counts = [batch.columns["end"].size for batch in batches]
+    counts = [batch.columns["time"].size for batch in batches]
     starts = np.concatenate([[0], np.cumsum(counts)])
     columns: dict[str, Array] = {}
     names = dict.fromkeys(name for batch in batches for name in batch.columns if name not in STATES)
@@ -245,7 +245,9 @@ def recording_of(
         )
     if np.any(np.diff(columns["index"]) <= 0):
         raise RecordingError("its steps are not in order")
-    if not (np.all(np.isfinite(columns["end"])) and np.all((columns["T"] > 0.0) & np.isfinite(columns["T"]))):
+    if not (
+        np.all(np.isfinite(columns["time"])) and np.all((columns["period"] > 0.0) & np.isfinite(columns["period"]))
+    ):
         raise RecordingError("a step has a time that is not finite or a length that is not positive")
     if "age" in columns and np.any(np.abs(columns["age"]) > _OLDEST):
         raise RecordingError("a sample has an age that no clocks explain")
@@ -258,7 +260,7 @@ def recording_of(
             if batch.columns.get("state_row", np.zeros(0)).size
         ]
         states["state_row"] = np.concatenate(rows)
-        for name in ("x", "v", "middle"):
+        for name in ("position", "velocity", "middle"):
             parts = [batch[name] for batch in held if name in batch]
             if len(parts) < len(held) or {part.shape[1:] for part in parts} != {(header.body.rows, header.body.axes)}:
                 raise RecordingError(f"its column {name!r} does not fit the body in its header")
@@ -278,7 +280,7 @@ def _links(name: str, neighbours: tuple[int, ...], batches: Sequence[Batch]) -> 
     """A column of links over all batches, whose links need not be the same."""
     parts: list[Array] = []
     for batch in batches:
-        steps = batch.columns["end"].size
+        steps = batch.columns["time"].size
         part = (
             np.full((steps, len(neighbours)), _NONE[name])
             if name in _NONE

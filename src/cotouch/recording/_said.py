@@ -30,7 +30,7 @@ def told(recording: Recording, user: int, places: Long) -> Float:
     if codec is None or SAID not in recording.columns or user not in recording.neighbours:
         return middle[places]
     said = recording.columns[SAID][:, recording.neighbours.index(user)]
-    index, stamp = recording.columns["index"], recording.columns["end"] - 0.5 * recording.columns["T"]
+    index, stamp = recording.columns["index"], recording.columns["time"] - 0.5 * recording.columns["period"]
     step = rows[places]
     since = np.nan_to_num(np.where((said > FULL) & (said < ROUNDED), said, 0.0), nan=0.0).astype(np.int64)[step]
     base = np.searchsorted(index, index[step] - since).clip(0, index.size - 1)
@@ -85,8 +85,8 @@ def unpaid_errors(recording: Recording, user: int) -> Float:
     early = spoke & (index - np.where(said < ROUNDED, said, 0.0) <= first)
     unknown = ~np.isfinite(off).all(axis=(1, 2))
     off[~spoke | (unknown & early)] = 0.0
-    columns, stamp = recording.columns, recording.columns["end"] - 0.5 * recording.columns["T"]
-    mean = 2.0 * (recording.states["x"] - middle) / columns["T"][:, None, None]
+    columns, stamp = recording.columns, recording.columns["time"] - 0.5 * recording.columns["period"]
+    mean = 2.0 * (recording.states["position"] - middle) / columns["period"][:, None, None]
     for setup, span in recording.setup_rows():
         codec = setup.codec
         if codec is None or user not in setup.neighbours or setup.link_damping is None:
@@ -96,9 +96,9 @@ def unpaid_errors(recording: Recording, user: int) -> Float:
         if strength > 0.0:
             wrong = body.form(weight, body.field(off[span]))
             window = 2.0 * setup.link_damping[at] / strength - 2.0 * codec.age
-            worst = _worst(np.where(np.isfinite(wrong), wrong, _ASTRAY), stamp[span], columns["T"][span], window)
+            worst = _worst(np.where(np.isfinite(wrong), wrong, _ASTRAY), stamp[span], columns["period"][span], window)
             earned = codec.age * body.form(weight, body.field(mean[span]))
-            out[span] = 0.5 * strength * columns["T"][span] * (worst / codec.age - earned)
+            out[span] = 0.5 * strength * columns["period"][span] * (worst / codec.age - earned)
     spent = np.cumsum(out)
     return np.diff(np.maximum.accumulate(np.maximum(spent, 0.0)), prepend=0.0)
 

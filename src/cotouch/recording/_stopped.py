@@ -50,7 +50,7 @@ def before_stop(recording: "Recording", chosen: Long, v: Float, mean: Float, sto
     steps = np.flatnonzero(stopped.any(axis=1))
     one = chosen[steps]
     follows = (rows[one] - rows[one - 1] == 1) & recording.consecutive[rows[one]]
-    old = recording.header.body.field(recording.states["v"][one - 1])
+    old = recording.header.body.field(recording.states["velocity"][one - 1])
     wanted, gone = 2.0 * mean[steps] - old, stopped[steps][:, :, None]
     moving = np.where(gone, wanted, v[steps])
     for _ in range(_TURNS):

@@ -22,6 +22,7 @@ from cotouch.body import (
     Frame,
     GridModel,
     Held,
+    NodeNumbers,
     NodeSet,
     NodesInBox,
     NodesNearPlane,
@@ -70,7 +71,7 @@ class _GridTable(Table):
     most_nodes: Number = MOST_NODES
 
     def _common(self) -> dict[str, Any]:
-        held = self.ground if isinstance(self.ground, str) else [number - 1 for number in self.ground]
+        held = self.ground if isinstance(self.ground, str) else NodeNumbers(self.ground)
         return {**self.model_dump(include=set(_GridTable.model_fields)), "ground": held}
 
 
@@ -100,9 +101,20 @@ class LatticeTable(_GridTable):
         return lattice(self.shape, neighbours=self.neighbours, **self._common())
 
 
-class _ShapeTable(Table):
-    density: Positive = 1000.0
+class _HeavyTable(Table):
+    """What weighs `density` [kg/m³] times its volume, 1000 by default, or instead `mass` [kg]."""
+
+    density: Positive | None = None
     mass: Positive | None = None
+
+    @model_validator(mode="after")
+    def _either(self) -> Self:
+        if self.density is not None and self.mass is not None:
+            raise ValueError("density and mass are given; give only one of them")
+        return self
+
+
+class _ShapeTable(_HeavyTable):
     centre: Place = Field(default_factory=lambda: [0.0, 0.0, 0.0])
     rate: Annotated[Positive, Field(le=1e7)] | None = None
     model: Literal["rigid"] = "rigid"
@@ -232,7 +244,7 @@ _OF_SOFT = ("young", "poisson", "stiffness", "rayleigh_mass", "rayleigh_stiffnes
 
 
 @final
-class FileTable(Table):
+class FileTable(_HeavyTable):
     """A body from a mesh; see `cotouch.body_from_surface` and `cotouch.body_from_tetrahedra`.
 
     Attributes:
@@ -247,7 +259,7 @@ class FileTable(Table):
         young: [Pa].
         poisson: Poisson's ratio.
         stiffness: of each spring, instead of what Young's modulus gives [N/m].
-        density: [kg/m³].
+        density: by default 1000 [kg/m³].
         mass: of the whole body, instead of density times volume [kg].
         rayleigh_mass: α of the damping α M + β K [1/s].
         rayleigh_stiffness: β [s].
@@ -271,8 +283,6 @@ class FileTable(Table):
     young: Positive = 1e4
     poisson: Annotated[float, Field(gt=-1.0, lt=0.5)] = 0.3
     stiffness: Positive | None = None
-    density: Positive = 1000.0
-    mass: Positive | None = None
     rayleigh_mass: NonNegative = 0.0
     rayleigh_stiffness: NonNegative = 0.0
     ground: GroundSource = "none"
@@ -335,12 +345,14 @@ class FileTable(Table):
     def build(self) -> Body:
         """The body, with all its modes."""
         options = self.model_dump(exclude={"kind", "file", "modes", "model", *_OF_SURFACES, *_OF_VOLUMES})
+        if self.density is None:
+            del options["density"]
         if self.modes is not None and self.model in _LINEAR:
             options["frame"] = self.frame or "fixed"
         if isinstance(self.ground, GroundTable):
             options["ground"] = self.ground.held()
         elif isinstance(self.ground, list):
-            options["ground"] = [number - 1 for number in self.ground]
+            options["ground"] = NodeNumbers(self.ground)
         if is_surface(Path(self.file)):
             return body_from_surface(
                 self.file,

@@ -20,6 +20,8 @@ Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
 NonNegative = Annotated[_NonNegativeFloat, Field(allow_inf_nan=False)]
 # Stiffness and damping of hands: what pulls a firmer one from its place is only rounding.
 Firm = Annotated[float, Field(ge=0.0, le=1e9, allow_inf_nan=False)]
+# Stiffness of contacts, for which likewise.
+Hard = Annotated[float, Field(gt=0.0, le=1e15, allow_inf_nan=False)]
 # Places, and what is added to them; products of larger ones are no numbers that energies can be told from.
 FARTHEST = 1e9
 Coordinate = Annotated[float, Field(ge=-FARTHEST, le=FARTHEST, allow_inf_nan=False)]
@@ -52,15 +54,17 @@ class Table(BaseModel):
     @model_validator(mode="before")
     @classmethod
     def _no_truth(cls, given: object) -> object:
-        """Refuses true and false for numbers, which Python counts as 1 and 0."""
+        """Refuses true and false for numbers, which Python counts as 1 and 0, and "yes" or 1 for true."""
         if not isinstance(given, Mapping):
             return given
         table = cast("Mapping[str, object]", given)
         for name, value in table.items():
             field = cls.model_fields.get(name)
-            if field is not None and field.annotation is not bool and _has_truth(value):
-                shown = repr(value) if len(repr(value)) <= 60 else f"{repr(value)[:57]}..."
-                raise ValueError(f"{name} is {shown}; it must be given as a number, not as true or false")
+            if field is None or (isinstance(value, bool) if field.annotation is bool else not _has_truth(value)):
+                continue
+            shown = repr(value) if len(repr(value)) <= 60 else f"{repr(value)[:57]}..."
+            right = "true or false" if field.annotation is bool else "given as a number, not as true or false"
+            raise ValueError(f"{name} is {shown}; it must be {right}")
         return table
 
 
@@ -293,7 +297,7 @@ class MeetingTable(Table):
         kinetic_friction: of what slips, at most `friction`; by default the same.
     """
 
-    stiffness: Positive = 1e7
+    stiffness: Hard = 1e7
     damping: NonNegative = 0.0
     friction: NonNegative = 0.0
     kinetic_friction: NonNegative | None = None

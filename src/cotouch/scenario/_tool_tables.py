@@ -10,7 +10,7 @@ from cotouch.device import PRESETS, installed_coupling
 from cotouch.errors import DeviceError, ScenarioError
 from cotouch.mechanics import contact_law_named
 from cotouch.scenario._surface_tables import SnapTable, TextureTable
-from cotouch.scenario._tables import Coordinate, Firm, NonNegative, Number, Place, Positive, Table, check_times
+from cotouch.scenario._tables import Coordinate, Firm, Hard, NonNegative, Number, Place, Positive, Table, check_times
 
 # Of a device's servo, where neither a scenario nor a product says it [Hz].
 DEFAULT_RATE = 1000.0
@@ -225,6 +225,12 @@ class CuttingTable(Table):
     faces: bool = False
     users: list[Number] | None = None
 
+    @model_validator(mode="after")
+    def _once(self) -> Self:
+        if self.users is not None and len(set(self.users)) < len(self.users):
+            raise ValueError(f"users is {self.users}; name each user once")
+        return self
+
     def may(self, user: int) -> bool:
         """Whether a user's copy decides by itself.
 
@@ -265,7 +271,7 @@ class ToolTable(Table):
     kind: Kind = "touch"
     radius: Positive = 0.01
     mass: Positive = 0.05
-    stiffness: Annotated[Positive, Field(le=1e15)] = 1000.0
+    stiffness: Hard = 1000.0
     damping: NonNegative = 0.0
     friction: NonNegative = 0.0
     kinetic_friction: NonNegative | None = None
@@ -324,6 +330,11 @@ class ToolTable(Table):
         if self.axis is None or not any(self.axis):
             said = "not given" if self.axis is None else "of no length"
             raise ValueError(f'kind is "blade" and axis is {said}; it must lead from one end of the edge to the other')
+        if self.thickness > (long := math.hypot(*self.axis)):
+            raise ValueError(
+                f"thickness is {self.thickness:g} m, but axis is {long:g} m long; a blade is at most as thick as its "
+                "edge is long"
+            )
         for name in ("radius", "stiffness", "damping", "friction", "kinetic_friction"):
             if name in self.model_fields_set:
                 raise ValueError(f"{name} is {getattr(self, name)}, but a blade does not touch; leave it out")
