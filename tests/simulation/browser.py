@@ -17,10 +17,14 @@ from playwright.sync_api import Browser, Page, sync_playwright
 
 # The first has no windows and takes half of what the others take.
 NAMES = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
-# WebGL in software: the machine that tests has no graphics card.
-SOFTWARE = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-# The same, with all but WebGL drawn as if there were none: many times as fast.
-DRAWN = [*SOFTWARE, "--disable-gpu-rasterization", "--disable-accelerated-2d-canvas"]
+# WebGL in software, as the machine that tests has no graphics card; all else is drawn as if nobody had one, which is
+# many times as fast.
+DRAWN = [
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-gpu-rasterization",
+    "--disable-accelerated-2d-canvas",
+]
 FLAT = ["--disable-gpu"]
 # Eight pictures a second are enough where none is counted. Sixty, without a graphics card, took a core and a half for
 # as long as a page was open.
@@ -62,7 +66,7 @@ def _modest(program: str) -> Generator[str]:
 
 
 @contextmanager
-def browser(args: Sequence[str] = SOFTWARE) -> Generator[Browser]:
+def browser(args: Sequence[str] = DRAWN) -> Generator[Browser]:
     """Debian's chromium; skips the test where there is none.
 
     Args:

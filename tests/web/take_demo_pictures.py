@@ -10,7 +10,7 @@ from pathlib import Path
 
 import psutil
 from playwright.sync_api import Browser, Page
-from tests.simulation.browser import DRAWN, browser
+from tests.simulation.browser import browser
 from tests.web.parties import Party, party
 from tests.web.pictures import BEFORE, PATIENCE, READY, spot, until
 from tests.web.shell_pages import choose
@@ -33,7 +33,7 @@ def main(folder: Path) -> None:
     Args:
         folder: an existing one.
     """
-    with browser(DRAWN) as running:
+    with browser() as running:
         for process in psutil.Process().children(recursive=True):
             process.nice(10)  # drawing without a graphics card must not make members late
         _demo(running, "soft", {"page-light": _light, "page": _dark, "page-side": _side, "page-cut": _cut}, folder)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from PIL import Image
 from playwright.sync_api import Page
-from tests.simulation.browser import DRAWN, browser
+from tests.simulation.browser import browser
 from tests.web.fake_session_api import FakeSessionApi
 from tests.web.pictures import PATIENCE, READY
 
@@ -34,7 +34,7 @@ def main(folder: Path) -> None:
     Args:
         folder: an existing one.
     """
-    with browser(DRAWN) as running, PageServer(FakeSessionApi("3d"), port=0) as server:
+    with browser() as running, PageServer(FakeSessionApi("3d"), port=0) as server:
         for name, (width, height) in SIZES.items():
             for scheme in SCHEMES:
                 phone = width < 600

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 from playwright.sync_api import Browser, Page
-from tests.simulation.browser import DRAWN, browser
+from tests.simulation.browser import browser
 from tests.web.fake_session_api import Kind
 from tests.web.pictures import heard, move, shown, spot, until, wait
 
@@ -39,7 +39,7 @@ TURNED = """async () => {
 
 @pytest.fixture(scope="module")
 def running() -> Generator[Browser]:
-    with browser(DRAWN) as one:
+    with browser() as one:
         yield one
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from PIL import Image
 from playwright.sync_api import Browser, Page
-from tests.simulation.browser import DRAWN, browser
+from tests.simulation.browser import browser
 from tests.web.pictures import shown, until
 
 from cotouch.scenario import TextureTable
@@ -32,7 +32,7 @@ SEEN = """() => {
 
 @pytest.fixture(scope="module")
 def running() -> Generator[Browser]:
-    with browser(DRAWN) as one:
+    with browser() as one:
         yield one
 
 

@@ -11,7 +11,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 from playwright.sync_api import Page
-from tests.simulation.browser import DRAWN, UNHURRIED, browser
+from tests.simulation.browser import UNHURRIED, browser
 from tests.web.pictures import BEFORE, spot, until
 from tests.web.shell_pages import choose, words
 
@@ -108,7 +108,7 @@ def drag(page: Page) -> None:
 def test_a_session_is_held_cut_killed_and_watched_from_a_page(tmp_path: Path) -> None:
     said: list[str] = []
     asked: list[str] = []
-    with demo(tmp_path / "said") as address, browser(DRAWN) as running:
+    with demo(tmp_path / "said") as address, browser() as running:
         context = running.new_context(viewport={"width": 1024, "height": 600})
         context.set_default_timeout(PATIENCE)
         context.add_init_script(BEFORE)
