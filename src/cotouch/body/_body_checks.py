@@ -4,7 +4,7 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, extents
 from cotouch.body._checks import FARTHEST, positive
 from cotouch.errors import BodyError
 
@@ -20,8 +20,8 @@ def rest_shape(rest: npt.ArrayLike) -> Float:
     if shape.ndim == 1:
         shape = shape[:, None]
     if shape.ndim != 2 or shape.shape[0] < 1 or not 1 <= shape.shape[1] <= 3:
-        extents = " x ".join(str(extent) for extent in shape.shape) or "a single number"
-        raise BodyError(f"rest is {extents}; it must be n x d, with at least one node and d from 1 to 3")
+        wanted = "n x d, with at least one node and d from 1 to 3"
+        raise BodyError(f"rest is {extents(shape.shape)}; it must be {wanted}")
     bad = np.argwhere(~np.isfinite(shape))
     if bad.size:
         node, axis = bad[0]

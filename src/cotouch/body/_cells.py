@@ -8,7 +8,7 @@ from typing import Final, final
 
 import numpy as np
 
-from cotouch.arrays import Float, Long
+from cotouch.arrays import Float, Long, extents
 from cotouch.body._lines import crossings, turns
 from cotouch.errors import BodyError
 
@@ -62,7 +62,7 @@ def cells_of(vertices: Float, triangles: Long, resolution: int) -> Cells:
     shape = np.maximum(np.ceil(extent / spacing - 1e-6), 1.0).astype(np.int64)
     if int(shape.prod()) > _MOST_CELLS:
         raise BodyError(
-            f"resolution {resolution} makes a grid of {' x '.join(map(str, shape))} cells; it must be lower, for at "
+            f"resolution {resolution} makes a grid of {extents(shape)} cells; it must be lower, for at "
             f"most {_MOST_CELLS} of them"
         )
     origin = low - 0.5 * (shape * spacing - extent)

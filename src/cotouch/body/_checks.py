@@ -9,7 +9,7 @@ import scipy.linalg as la
 import scipy.sparse as sp
 from scipy.sparse.linalg import SuperLU, splu
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, extents
 from cotouch.errors import BodyError
 
 Matrix: TypeAlias = npt.ArrayLike | sp.sparray | sp.spmatrix
@@ -63,8 +63,7 @@ def square(name: str, matrix: Matrix, *, sizes: dict[int, Form]) -> sp.csr_array
         raise BodyError(f"{name} has complex entries; every entry must be a real number")
     allowed = " or ".join(f"{rows} x {rows}" for rows in sizes)
     if csr.ndim != 2 or csr.shape[0] != csr.shape[1] or csr.shape[0] not in sizes:
-        shape = " x ".join(str(extent) for extent in csr.shape)
-        raise BodyError(f"{name} is {shape}; for this body it must be {allowed}")
+        raise BodyError(f"{name} is {extents(csr.shape)}; for this body it must be {allowed}")
     csr.sum_duplicates()
     csr.eliminate_zeros()
     coo = csr.tocoo()

@@ -6,7 +6,7 @@ from typing import Literal, TypeAlias, final, get_args
 
 import numpy as np
 
-from cotouch.arrays import Float, Long
+from cotouch.arrays import Float, Long, extents
 from cotouch.body._strains import frame_of
 from cotouch.errors import BodyError
 from cotouch.installed import installed
@@ -141,11 +141,9 @@ class Material:
         if viscosity is not None:
             raise BodyError(f"viscosity is {viscosity}; it must be a finite number of at least 0 s")
         for name in ("young", "poisson", "viscosity"):
-            extents = np.shape(getattr(self, name))
-            if extents not in {(), (self.elements.shape[0],)} or (extents and not self.solid):
-                raise BodyError(
-                    f"{name} holds {' x '.join(map(str, extents))} numbers; it must be one, or of tetrahedra one each"
-                )
+            shape = np.shape(getattr(self, name))
+            if shape not in {(), (self.elements.shape[0],)} or (shape and not self.solid):
+                raise BodyError(f"{name} holds {extents(shape)} numbers; it must be one, or of tetrahedra one each")
         if len(self.gravity) != 3 or not np.isfinite(self.gravity).all():
             raise BodyError(f"gravity is {self.gravity}; it must be three finite numbers [m/s²]")
         if dimension < 2 and self.model != "linear":
@@ -169,8 +167,8 @@ class Material:
         if corners != 2 and dimension != 3:
             raise BodyError(f'model is "{self.model}", but the body has {dimension} axes; it must have 3')
         if self.elements.ndim != 2 or self.elements.shape[1] != corners or not self.elements.shape[0]:
-            extents = " x ".join(map(str, self.elements.shape))
-            raise BodyError(f'elements is {extents}; model "{self.model}" needs rows of {corners} nodes')
+            given = extents(self.elements.shape)
+            raise BodyError(f'elements is {given}; model "{self.model}" needs rows of {corners} nodes')
         if self.elements.min() < 0 or self.elements.max() >= nodes:
             wrong = int(self.elements.min() if self.elements.min() < 0 else self.elements.max())
             raise BodyError(f"elements names node index {wrong}; this body has nodes 0 to {nodes - 1}")

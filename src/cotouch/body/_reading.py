@@ -6,6 +6,7 @@ from typing import Final, Literal, TypeAlias, cast
 import numpy as np
 import numpy.typing as npt
 
+from cotouch.arrays import extents
 from cotouch.errors import BodyError
 from cotouch.meshfile import Mesh, read_surface, read_tetrahedra
 
@@ -63,10 +64,10 @@ def as_mesh(source: object, width: int, what: str) -> Mesh:
     except (TypeError, ValueError, OverflowError) as error:
         raise BodyError(f"the source is neither a file nor (points, {what}) ({error}); give one of them") from error
     if places.ndim != 2 or places.shape[1] != 3:
-        raise BodyError(f"the points are {' x '.join(map(str, places.shape))}; they must be P x 3")
+        raise BodyError(f"the points are {extents(places.shape)}; they must be P x 3")
     if corners.ndim != 2 or corners.shape[1] != width or corners.shape[0] == 0 or not np.array_equal(corners, given):
-        extents = " x ".join(map(str, given.shape))
-        raise BodyError(f"the {what} are {extents}; they must be at least one row of {width} whole numbers")
+        wanted = f"at least one row of {width} whole numbers"
+        raise BodyError(f"the {what} are {extents(given.shape)}; they must be {wanted}")
     return Mesh(points=places, elements=corners)
 
 

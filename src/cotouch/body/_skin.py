@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Float, Int
+from cotouch.arrays import Float, Int, extents
 from cotouch.errors import BodyError
 
 # What the sum of a vertex's weights may be off by: they come from a division or from a file.
@@ -55,8 +55,8 @@ class Skin:
             raise BodyError(f"skin vertex {bad} is {places[bad].tolist()}; every coordinate must be a finite number")
         if carriers.shape != parts.shape or carriers.shape[0] != places.shape[0] or not 1 <= carriers.shape[1] <= 8:
             raise BodyError(
-                f"skin nodes are {_size(carriers)} and skin weights {_size(parts)}; both must be {places.shape[0]} x "
-                "k with k from 1 to 8"
+                f"skin nodes are {extents(carriers.shape)} and skin weights {extents(parts.shape)}; both must be "
+                f"{places.shape[0]} x k with k from 1 to 8"
             )
         if corners.size and (corners.min() < 0 or corners.max() >= places.shape[0]):
             wrong = int(corners.min() if corners.min() < 0 else corners.max())
@@ -117,14 +117,10 @@ def _table(
     if array.size == 0:
         array = array.reshape(0, width or 1)
     if array.ndim != 2 or (width is not None and array.shape[1] != width):
-        raise BodyError(f"{name} are {_size(array)}; they must be rows of {width or 'k'}")
+        raise BodyError(f"{name} are {extents(array.shape)}; they must be rows of {width or 'k'}")
     if kind is np.int32 and not np.array_equal(array, given.reshape(array.shape)):
         raise BodyError(f"{name} must be whole numbers, indices from 0")
     return array
-
-
-def _size(array: npt.NDArray[np.generic]) -> str:
-    return " x ".join(str(extent) for extent in array.shape) or "a single number"
 
 
 def joined_skins(skins: Sequence[Skin]) -> Skin:

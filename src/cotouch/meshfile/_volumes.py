@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from cotouch.arrays import Long
+from cotouch.arrays import Long, extents
 from cotouch.errors import BodyError
 from cotouch.meshfile._legacy import gmsh_1, is_gmsh_1, vtk_kind
 from cotouch.meshfile._mesh import Mesh
@@ -54,7 +54,7 @@ def read(path: Path, most: int) -> Mesh:
             raise ValueError(f"its {kind} cells do not have {corners[kind]} corners each")
     if points.ndim != 2 or points.shape[1] != 3:
         raise ValueError(
-            "it has no points" if not points.size else f"its points are {' x '.join(map(str, points.shape))}, not P x 3"
+            "it has no points" if not points.size else f"its points are {extents(points.shape)}, not P x 3"
         )
     notes: list[str] = []
     sets = _sets(read, blocks, points.shape[0], notes)

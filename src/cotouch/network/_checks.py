@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.arrays import Float, Long
+from cotouch.arrays import Float, Long, extents, has_truth
 from cotouch.errors import NetworkError, printable
 from cotouch.network._types import Pair
 from cotouch.units import user_number
@@ -80,7 +80,9 @@ def check_delay(users: tuple[str, ...], delay: npt.ArrayLike) -> Float:
     matrix = numbers("delay", delay)
     size = len(users)
     if matrix.shape != (size, size):
-        raise NetworkError(f"delay is {_shape(matrix)}; for {size} user{'s' * (size != 1)} it must be {size} x {size}")
+        raise NetworkError(
+            f"delay is {extents(matrix.shape)}; for {size} user{'s' * (size != 1)} it must be {size} x {size}"
+        )
     for i, j in np.argwhere(~(np.isfinite(matrix) & (matrix >= 0))):
         raise NetworkError(
             f"delay from {one_user(users, j)} to {one_user(users, i)} is {matrix[i, j]:g} s; "
@@ -110,7 +112,7 @@ def check_springs(users: tuple[str, ...], spring: npt.ArrayLike, weight: npt.Arr
         if weight is not None:
             unit = numbers("weight", weight)
             if unit.ndim != 2 or unit.shape[0] != unit.shape[1] or unit.shape[0] == 0:
-                raise NetworkError(f"weight is {_shape(unit)}; it must be a square matrix")
+                raise NetworkError(f"weight is {extents(unit.shape)}; it must be a square matrix")
             unit = _spd("weight", unit)
             if not np.array_equal(unit, np.eye(len(unit))):
                 weights = (unit,)
@@ -121,7 +123,7 @@ def check_springs(users: tuple[str, ...], spring: npt.ArrayLike, weight: npt.Arr
             raise NetworkError("weight is given together with a matrix for every spring; give only one of them")
         return _matrix_springs(users, matrix)
     raise NetworkError(
-        f"spring is {_shape(matrix)}; for {size} user{'s' * (size != 1)} it must be {size} x {size}, or "
+        f"spring is {extents(matrix.shape)}; for {size} user{'s' * (size != 1)} it must be {size} x {size}, or "
         f"{size} x {size} x r x r with one r x r matrix for every pair"
     )
 
@@ -255,14 +257,6 @@ def numbers(name: str, values: npt.ArrayLike) -> Float:
         found = np.array(values)
     except (TypeError, ValueError):
         found = np.empty(0, dtype=object)
-    if found.dtype.kind not in "iuf" or _has_truth(values):
+    if found.dtype.kind not in "iuf" or has_truth(values):
         raise NetworkError(f"{name} is not an array of real numbers; give one row of numbers for each user")
     return found.astype(np.float64)
-
-
-def _has_truth(values: object) -> bool:
-    return isinstance(values, bool) or (isinstance(values, list | tuple) and any(map(_has_truth, values)))  # pyright: ignore[reportUnknownArgumentType]
-
-
-def _shape(array: Float) -> str:
-    return " x ".join(str(extent) for extent in array.shape) if array.ndim else "a single number"

@@ -13,6 +13,7 @@ from pydantic import (
 )
 from pydantic import NonNegativeFloat as _NonNegativeFloat
 
+from cotouch.arrays import has_truth
 from cotouch.errors import BodyError, NetworkError
 from cotouch.laws import law_named
 
@@ -42,10 +43,6 @@ def _numbers(value: float | Sequence[float | Sequence[float]]) -> Iterator[float
         yield value
 
 
-def _has_truth(value: object) -> bool:
-    return isinstance(value, bool) or (isinstance(value, list | tuple) and any(map(_has_truth, value)))  # pyright: ignore[reportUnknownArgumentType]
-
-
 class Table(BaseModel):
     """A table of a scenario: nothing unknown in it, nothing changed after reading."""
 
@@ -60,7 +57,7 @@ class Table(BaseModel):
         table = cast("Mapping[str, object]", given)
         for name, value in table.items():
             field = cls.model_fields.get(name)
-            if field is None or (isinstance(value, bool) if field.annotation is bool else not _has_truth(value)):
+            if field is None or (isinstance(value, bool) if field.annotation is bool else not has_truth(value)):
                 continue
             shown = repr(value) if len(repr(value)) <= 60 else f"{repr(value)[:57]}..."
             right = "true or false" if field.annotation is bool else "given as a number, not as true or false"

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from cotouch import drawing
-from cotouch.arrays import Int, Single
+from cotouch.arrays import Int, Single, extents
 from cotouch.body import DrawnPart, Skin
 from cotouch.errors import BodyError, InputError, NetworkError
 from cotouch.files import check_writable, write
@@ -28,7 +28,6 @@ from cotouch.simulation._animation_checks import (
     numbers_of,
     padded,
     pairs_of,
-    size_of,
     track_of,
 )
 from cotouch.simulation._pack import Packer
@@ -74,7 +73,7 @@ class ToolTracks:
         size = numbers_of("tool radii", radius, InputError)
         size = np.full(who.shape, size) if size.ndim == 0 else size
         if size.shape != who.shape:
-            raise InputError(f"tool radii are {size_of(size)}; there are {who.size} tools")
+            raise InputError(f"tool radii are {extents(size.shape)}; there are {who.size} tools")
         if size.size and size.min() <= 0.0:
             raise InputError(f"the radius of tool {int(size.argmin()) + 1} is {size.min():g} m; it must be positive")
         keep_frozen(self, owner=who, centre=track_of("tool centres", centre, who.size), radius=size)
@@ -86,7 +85,7 @@ def _ends(name: str, given: npt.ArrayLike | None, tools: int) -> Float:
     """Where the other ends of tools are, (tools, 3) [m]."""
     ends = np.zeros((tools, 3)) if given is None else numbers_of(name, given, InputError)
     if ends.shape != (tools, 3):
-        raise InputError(f"{name} are {size_of(ends)}; there are {tools} tools, with 3 numbers each")
+        raise InputError(f"{name} are {extents(ends.shape)}; there are {tools} tools, with 3 numbers each")
     return ends
 
 
@@ -137,7 +136,7 @@ class UserSeries:
             raise InputError("a series has no name; give it one, because it is the title of its chart")
         numbers = numbers_of(f"values of {name}", values, InputError, finite=False)
         if numbers.ndim != 2:
-            raise InputError(f"values of {name} are {size_of(numbers)}; they must be frames x users")
+            raise InputError(f"values of {name} are {extents(numbers.shape)}; they must be frames x users")
         keep_frozen(self, name=name, unit=unit, values=numbers)
 
 
@@ -230,7 +229,7 @@ class Animation:
             raise NetworkError("an animation needs users; name at least one")
         when = numbers_of("frame times", time, InputError)
         if when.ndim != 1 or when.size == 0:
-            raise InputError(f"frame times are {size_of(when)}; they must be a row of at least one")
+            raise InputError(f"frame times are {extents(when.shape)}; they must be a row of at least one")
         late = np.flatnonzero(np.diff(when) <= 0.0)
         if late.size:
             raise InputError(
@@ -258,7 +257,7 @@ class Animation:
         else:
             start = padded(numbers_of("vertices at rest", rest, BodyError)).astype(np.float32)
         if start.shape != (count, 3):
-            raise BodyError(f"vertices at rest are {size_of(start)}; there are {count} vertices")
+            raise BodyError(f"vertices at rest are {extents(start.shape)}; there are {count} vertices")
         nothing = np.zeros((when.size, 0, 3))
         spheres = tools or ToolTracks(owner=[], centre=nothing, radius=[], force=nothing)
         hands = ports or PortTracks(owner=[], place=nothing, force=nothing)
@@ -275,7 +274,7 @@ class Animation:
         for entry in series:
             if entry.values.shape != (when.size, len(names)):
                 raise InputError(
-                    f"values of {entry.name} are {size_of(entry.values)}; they must be {when.size} frames x "
+                    f"values of {entry.name} are {extents(entry.values.shape)}; they must be {when.size} frames x "
                     f"{len(names)} users"
                 )
         keep_frozen(
@@ -285,7 +284,7 @@ class Animation:
         known = numbers_of("spans", [] if spans is None else spans, InputError, finite=False, kind=np.float32)
         if spans is not None and known.shape != (len(names), faces.shape[0], 2):
             raise InputError(
-                f"spans are {size_of(known)}; they must be {len(names)} users x {faces.shape[0]} triangles x 2"
+                f"spans are {extents(known.shape)}; they must be {len(names)} users x {faces.shape[0]} triangles x 2"
             )
         for shape in shapes:
             if not isinstance(shape, Solid):

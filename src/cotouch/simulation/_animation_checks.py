@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from cotouch.arrays import Array, Float, Int, Single
+from cotouch.arrays import Array, Float, Int, Single, extents
 from cotouch.errors import BodyError, InputError, NetworkError
 
 
@@ -60,7 +60,7 @@ def indices_of(name: str, values: npt.ArrayLike, dimensions: int, error: type[In
     """
     numbers = numbers_of(name, values, error)
     if numbers.ndim != dimensions:
-        raise error(f"{name} are {size_of(numbers)}; they must have {dimensions} dimensions")
+        raise error(f"{name} are {extents(numbers.shape)}; they must have {dimensions} dimensions")
     whole = numbers.astype(np.int32)
     if not np.array_equal(whole, numbers):
         raise error(f"{name} must be whole numbers, indices from 0")
@@ -80,7 +80,7 @@ def corners_of(name: str, values: npt.ArrayLike | None, width: int, count: int) 
         return np.zeros((0, width), dtype=np.int32)
     table = indices_of(f"{name}s", values, 2, BodyError)
     if table.shape[1] != width:
-        raise BodyError(f"{name}s are {size_of(table)}; they must be rows of {width}")
+        raise BodyError(f"{name}s are {extents(table.shape)}; they must be rows of {width}")
     if table.min() < 0 or table.max() >= count:
         wrong = int(table.min() if table.min() < 0 else table.max())
         raise BodyError(f"{a_word(name)} names vertex {wrong}; this animation has vertices 0 to {count - 1}")
@@ -98,7 +98,9 @@ def field_of(name: str, values: npt.ArrayLike | None, frames: int, users: int) -
     """
     array = numbers_of(name, values, BodyError, kind=np.float32)
     if array.ndim != 4 or array.shape[:2] != (frames, users) or not 1 <= array.shape[3] <= 3 or array.shape[2] == 0:
-        raise BodyError(f"{name} are {size_of(array)}; they must be {frames} frames x {users} users x vertices x axes")
+        raise BodyError(
+            f"{name} are {extents(array.shape)}; they must be {frames} frames x {users} users x vertices x axes"
+        )
     return padded(array)
 
 
@@ -112,7 +114,7 @@ def track_of(name: str, values: npt.ArrayLike, count: int) -> Float:
     """
     array = numbers_of(name, values, InputError)
     if array.ndim != 3 or array.shape[1] != count or not 1 <= array.shape[2] <= 3:
-        raise InputError(f"{name} are {size_of(array)}; they must be frames x {count} x axes")
+        raise InputError(f"{name} are {extents(array.shape)}; they must be frames x {count} x axes")
     return padded(array)
 
 
@@ -125,11 +127,6 @@ def padded(array: Array) -> Array:
 def a_word(name: str) -> str:
     """With its article."""
     return f"{'an' if name[0] in 'aeiou' else 'a'} {name}"
-
-
-def size_of(array: Array) -> str:
-    """In words."""
-    return " x ".join(str(extent) for extent in array.shape) or "a single number"
 
 
 def pairs_of(links: Sequence[tuple[int, int]], users: int) -> tuple[tuple[int, int], ...]:
