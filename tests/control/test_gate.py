@@ -2,6 +2,7 @@
 
 import os
 import signal
+import socket
 import subprocess
 import sys
 import threading
@@ -121,3 +122,13 @@ def test_a_port_can_be_listened_at_again_at_once():
     made = invitation()
     for _ in range(3):
         ZenohControl(made, WHO[0]).close()
+
+
+def test_a_port_that_is_about_to_be_free_is_waited_for():
+    """As where a member was killed and its gatekeeper, on a busy machine, has not ended yet."""
+    made = invitation()
+    before = socket.create_server(("127.0.0.1", made.endpoints[0].port))
+    leaving = threading.Timer(0.5, before.close)
+    leaving.start()
+    ZenohControl(made, WHO[0]).close()
+    leaving.join()

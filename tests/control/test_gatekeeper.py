@@ -105,6 +105,52 @@ def nothing_ends_by_itself(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("cotouch.control._gatekeeper._HANDSHAKE", 600.0)
 
 
+def test_its_port_is_free_as_soon_as_its_member_is_gone_though_links_still_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Who was killed starts again at once, on the port of its invitation."""
+    monkeypatch.setattr("cotouch.control._gatekeeper._FAREWELL", 600.0)
+    orders, member = os.pipe()
+
+    async def play() -> None:
+        async def talk(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+            writer.write(await reader.readexactly(5))
+            await reader.read()
+
+        ours = given()
+        context = gatekeeper._context(ssl.Purpose.CLIENT_AUTH, ours)
+        server = await asyncio.start_server(talk, "127.0.0.1", 0, ssl=context)
+        listening = socket.create_server(("127.0.0.1", 0))
+        port = listening.getsockname()[1]
+        said = {**ours, "inner": server.sockets[0].getsockname(), "listening": [listening.detach()]}
+        keeping = asyncio.create_task(gatekeeper._main(said))
+        reader, writer = await asyncio.open_connection(
+            "127.0.0.1", port, ssl=gatekeeper._context(ssl.Purpose.SERVER_AUTH, given())
+        )
+        writer.write(b"hello")
+        assert await reader.readexactly(5) == b"hello"
+        os.close(member)
+        async with asyncio.timeout(PATIENCE):
+            while not _is_free(port):
+                await asyncio.sleep(0.01)
+        assert not keeping.done()
+        keeping.cancel()
+        writer.transport.abort()
+        server.close()
+        await asyncio.gather(keeping, return_exceptions=True)
+        await asyncio.sleep(0.05)
+
+    with os.fdopen(orders, "rb") as end:
+        monkeypatch.setattr("sys.stdin", end)
+        asyncio.run(play())
+
+
+def _is_free(port: int) -> bool:
+    try:
+        socket.create_server(("127.0.0.1", port)).close()
+    except OSError:
+        return False
+    return True
+
+
 def test_of_300_half_open_connections_of_one_source_16_stay_and_others_lose_none() -> None:
     async def play(door: Door) -> None:
         await door.crowd(10, "127.0.0.2")

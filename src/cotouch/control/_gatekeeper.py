@@ -181,11 +181,16 @@ async def _main(given: _Orders) -> None:
 
     # Whoever ordered this is gone when its end of the pipe is, however it ended.
     loop.add_reader(sys.stdin.fileno(), over)
-    listening = asyncio.gather(*(keeper.listen(socket.socket(fileno=number)) for number in given["listening"]))
+    doors = [socket.socket(fileno=number) for number in given["listening"]]
+    listening = asyncio.gather(*map(keeper.listen, doors))
     waiting = asyncio.ensure_future(ending.wait())
     await asyncio.wait([listening, waiting], return_when=asyncio.FIRST_COMPLETED)
     if ending.is_set():
         listening.cancel()
+        with contextlib.suppress(asyncio.CancelledError):
+            await listening
+        for door in doors:  # whoever was killed may start again at once, on the same port
+            door.close()
         await keeper.finish()
     os._exit(0)
 

@@ -4,6 +4,7 @@ import base64
 import contextlib
 import json
 import threading
+import time
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Literal, Protocol
 
@@ -25,6 +26,9 @@ _OPENING = 10_000
 _CLOSING = 2.0
 # What any call of Zenoh takes, at most [s].
 _LAST = 12.0
+# How Zenoh says that a port is taken; for how long one is waited for, and how often looked at [s].
+_TAKEN = "already in use"
+_LEAVING, _LOOK = 3.0, 0.1
 
 
 class _Ended(Protocol):
@@ -129,27 +133,39 @@ def configuration(
 def open_session(configured: str) -> "zenoh.Session":
     """Opens a session of Zenoh.
 
+    A port that is taken is waited for a while: whoever had it may have been killed, and its gatekeeper about to end.
+
     Raises:
         TransportError: a port is taken, an address is not this machine's, or no router answers.
     """
     import zenoh
 
-    try:
-        return zenoh.open(zenoh.Config.from_json5(configured))
-    except zenoh.ZError as error:
-        given = json.loads(configured)
-        outer = (name for name in given["listen"]["endpoints"] if not name.endswith(":0"))
-        listen = ", ".join(name.removeprefix("tls/") for name in outer)
-        connect = ", ".join(name.removeprefix("tls/") for name in given["connect"]["endpoints"])
-        text = str(error)
-        known = {
-            "already in use": f"the port of {listen} is taken; choose another",
-            "Cannot assign": f"{listen} is not an address of this machine; listen on one that is",
-            "Permission denied": f"the port of {listen} is not permitted; choose one of 1024 or above",
-            "Unable to connect": f"no router of this session answers at {connect}; check that it runs and is invited",
-        }
-        why = next((said for sign, said in known.items() if sign in text), f"the control plane cannot open: {text}")
-        raise TransportError(why) from error
+    end = time.monotonic() + _LEAVING
+    while True:
+        try:
+            return zenoh.open(zenoh.Config.from_json5(configured))
+        except zenoh.ZError as error:
+            if _TAKEN not in str(error) or time.monotonic() > end:
+                raise _explained(error, configured) from error
+        time.sleep(_LOOK)
+
+
+def _explained(error: Exception, configured: str) -> TransportError:
+    """Why a session of Zenoh cannot be opened, in a sentence."""
+    given = json.loads(configured)
+    outer = (name for name in given["listen"]["endpoints"] if not name.endswith(":0"))
+    listen = ", ".join(name.removeprefix("tls/") for name in outer)
+    connect = ", ".join(name.removeprefix("tls/") for name in given["connect"]["endpoints"])
+    text = str(error)
+    known = {
+        _TAKEN: f"the port of {listen} is taken; choose another",
+        "Cannot assign": f"{listen} is not an address of this machine; listen on one that is",
+        "Permission denied": f"the port of {listen} is not permitted; choose one of 1024 or above",
+        "Unable to connect": f"no router of this session answers at {connect}; check that it runs and is invited",
+    }
+    return TransportError(
+        next((said for sign, said in known.items() if sign in text), f"the control plane cannot open: {text}")
+    )
 
 
 def put(session: _Spoken, key: str, said: bytes, *, priority: Priority, wait: bool = False) -> bool:
