@@ -1,6 +1,7 @@
 """A body of a mesh's parts: nodes, masses and springs, what holds them, and the skin."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TypeAlias
 
@@ -13,7 +14,7 @@ from cotouch.body._body import Body
 from cotouch.body._checks import SumOfSquares, at_least_zero
 from cotouch.body._ground import Held, free_motions, held_nodes, rounded_face
 from cotouch.body._material import Material
-from cotouch.body._origin import Origin, SourceSaid
+from cotouch.body._origin import Origin
 from cotouch.body._pieces import Float
 from cotouch.body._skin import Skin
 from cotouch.errors import BodyError
@@ -35,7 +36,7 @@ def put_together(
     slack: float,
     sets: Mapping[str, Long],
     skin: Skin,
-    origin: SourceSaid,
+    origin: Origin,
     notes: list[str],
     material: Material | None,
 ) -> Body:
@@ -54,7 +55,7 @@ def put_together(
         slack: within which a node is on a plane or in a box [m].
         sets: named sets of nodes.
         skin: that it carries.
-        origin: what is to be said of where it comes from.
+        origin: where it comes from; what holds it, and the notes, are added.
         notes: likewise, in sentences; of the ground some are added.
         material: None for one of fixed springs.
 
@@ -62,7 +63,7 @@ def put_together(
         BodyError: what holds it cannot be.
     """
     at_least_zero(ground_stiffness=ground_stiffness, ground_damping=ground_damping)
-    held = held_nodes(ground, rest, slack=slack, spacing=float(origin["spacing"]), sets=sets)
+    held = held_nodes(ground, rest, slack=slack, spacing=origin.spacing, sets=sets)
     rounded = rounded_face(ground, rest, held)
     if rounded is not None:
         notes.append(rounded)
@@ -84,7 +85,7 @@ def put_together(
         stiffness_int=SumOfSquares(springs),
         stiffness_ext=sp.diags_array(grip * ground_stiffness),
         skin=skin,
-        origin=Origin(held=held, free=free, notes=tuple(notes), **origin),
+        origin=replace(origin, held=held, free=free, notes=tuple(notes)),
         material=material,
     )
 

@@ -14,6 +14,7 @@ from cotouch.body._inertia import inertia_excess
 from cotouch.body._lines import doubled
 from cotouch.body._material import Frame
 from cotouch.body._mesh_material import SurfaceModel, check_material, frame_of_model, of_cells, warned
+from cotouch.body._origin import Origin
 from cotouch.body._pieces import grid_nodes, one_part
 from cotouch.body._reading import Unit
 from cotouch.body._rigid import moments_of, rigid_solid
@@ -166,16 +167,16 @@ def body_from_surface(
         slack=0.5 * cells.spacing,
         sets={},
         skin=skin,
-        origin={
-            "source": name,
-            "kind": "surface",
-            "model": model,
-            "unit": unit or "m",
-            "elements": cells.fill.size,
-            "volume": volume,
-            "size": np.ptp(shells.vertices, axis=0),
-            "spacing": cells.spacing,
-        },
+        origin=Origin(
+            source=name,
+            kind="surface",
+            model=model,
+            unit=unit or "m",
+            elements=cells.fill.size,
+            volume=volume,
+            size=np.ptp(shells.vertices, axis=0),
+            spacing=cells.spacing,
+        ),
         notes=[*shells.notes, *notes, *warned(model, poisson)],
         material=material,
     )

@@ -22,6 +22,7 @@ from cotouch.body._mesh_material import (
     warned,
 )
 from cotouch.body._mesh_parts import Parts, of_parts
+from cotouch.body._origin import Origin
 from cotouch.body._pieces import boundary_of, hinged, one_piece, volumes_of, without_broken
 from cotouch.body._reading import Unit, check_indices, mesh_of, metres
 from cotouch.body._rigid import moments_of_tetrahedra, rigid_solid
@@ -198,16 +199,16 @@ def body_from_tetrahedra(
         slack=0.0,
         sets=named,
         skin=skin,
-        origin={
-            "source": name,
-            "kind": "tetrahedra",
-            "model": model,
-            "unit": unit or "m",
-            "elements": volumes.size,
-            "volume": volume,
-            "size": np.ptp(rest, axis=0),
-            "spacing": float(np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1).mean()),
-        },
+        origin=Origin(
+            source=name,
+            kind="tetrahedra",
+            model=model,
+            unit=unit or "m",
+            elements=volumes.size,
+            volume=volume,
+            size=np.ptp(rest, axis=0),
+            spacing=float(np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1).mean()),
+        ),
         notes=[*notes, *warned(model, poisson)],
         material=material,
     )

@@ -1,18 +1,17 @@
 """Where a body came from and what was understood of it on the way."""
 
-from dataclasses import dataclass
-from typing import Literal, TypedDict, final
+from dataclasses import dataclass, field
+from typing import Literal, final
 
 import numpy as np
-import numpy.typing as npt
 
-from cotouch.arrays import Float
+from cotouch.arrays import Float, Index
 
 
 @final
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Origin:
-    """What a builder read, repaired and made.
+    """What a builder read, repaired and made; nothing holds it unless that is said.
 
     Attributes:
         source: name of the file, or "arrays".
@@ -23,8 +22,9 @@ class Origin:
         volume: of the solid [m³].
         size: extents of the source along x, y, z, (3,) [m].
         spacing: edge of a cell; of tetrahedra, and of the triangles of what is rigid, the mean edge [m].
-        held: indices of the nodes that the ground holds.
-        free: number of rigid motions that nothing holds: 0 to 6, or 0 to 3 where springs resist turning by themselves.
+        held: indices of the nodes that the ground holds; by default none.
+        free: number of rigid motions that nothing holds: 0 to 6, or 0 to 3 where springs resist turning by themselves;
+            by default 6.
         notes: what was repaired or should be known, a sentence each.
     """
 
@@ -36,25 +36,6 @@ class Origin:
     volume: float
     size: Float
     spacing: float
-    held: npt.NDArray[np.intp]
-    free: int
+    held: Index = field(default_factory=lambda: np.zeros(0, dtype=np.intp))
+    free: int = 6
     notes: tuple[str, ...] = ()
-
-
-class SourceSaid(TypedDict):
-    """What a builder read of it, before it is known what holds the body; see `Origin`."""
-
-    source: str
-    kind: Literal["surface", "tetrahedra", "shape"]
-    model: str
-    unit: str
-    elements: int
-    volume: float
-    size: Float
-    spacing: float
-
-
-class ShapeSaid(SourceSaid, total=False):
-    """Likewise of a rigid one, which nothing holds."""
-
-    notes: tuple[str, ...]

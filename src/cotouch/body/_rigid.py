@@ -17,7 +17,7 @@ from cotouch.arrays import Float, Long
 from cotouch.body._body import Body
 from cotouch.body._checks import SumOfSquares, one_number
 from cotouch.body._material import Material
-from cotouch.body._origin import Origin, ShapeSaid
+from cotouch.body._origin import Origin
 from cotouch.body._skin import Skin
 from cotouch.body._strains import SIGNS, frame_of, shares_of, strain_law, strains_of
 from cotouch.errors import BodyError
@@ -72,7 +72,7 @@ def rigid_body(
     spread: npt.ArrayLike,
     rate: float = RATE,
     viscosity: float = VISCOSITY,
-    origin: ShapeSaid | None = None,
+    origin: Origin | None = None,
 ) -> Body:
     """A rigid body with a skin.
 
@@ -135,7 +135,7 @@ def rigid_body(
         damping_int=SumOfSquares(inner.matrix * viscosity) if viscosity > 0.0 else None,
         skin=skin,
         material=material,
-        origin=None if origin is None else Origin(held=np.zeros(0, dtype=np.intp), free=6, **origin),
+        origin=origin,
     )
 
 
@@ -202,15 +202,15 @@ def rigid_solid(
         mass=density * volume if mass is None else mass,
         centre=centre,
         spread=spread,
-        origin={
-            "source": name,
-            "kind": kind,
-            "model": "rigid",
-            "unit": unit or "m",
-            "elements": corners.shape[0],
-            "volume": volume,
-            "size": np.ptp(vertices, axis=0),
-            "spacing": float(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).mean()),
-            "notes": tuple(notes),
-        },
+        origin=Origin(
+            source=name,
+            kind=kind,
+            model="rigid",
+            unit=unit or "m",
+            elements=corners.shape[0],
+            volume=volume,
+            size=np.ptp(vertices, axis=0),
+            spacing=float(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).mean()),
+            notes=tuple(notes),
+        ),
     )

@@ -9,6 +9,7 @@ import numpy.typing as npt
 from cotouch.arrays import Float, Long
 from cotouch.body._body import Body
 from cotouch.body._checks import FARTHEST, one_number
+from cotouch.body._origin import Origin
 from cotouch.body._rigid import RATE, VISCOSITY, rigid_body
 from cotouch.errors import BodyError
 
@@ -161,16 +162,16 @@ def _made(
         spread=turned @ spread @ turned.T,
         rate=rate,
         viscosity=viscosity,
-        origin={
-            "source": name,
-            "kind": "shape",
-            "model": "rigid",
-            "unit": "m",
-            "elements": triangles.shape[0],
-            "volume": volume,
-            "size": np.ptp(places, axis=0),
-            "spacing": float(np.linalg.norm(edges, axis=2).mean()),
-        },
+        origin=Origin(
+            source=name,
+            kind="shape",
+            model="rigid",
+            unit="m",
+            elements=triangles.shape[0],
+            volume=volume,
+            size=np.ptp(places, axis=0),
+            spacing=float(np.linalg.norm(edges, axis=2).mean()),
+        ),
     )
 
 

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 from math import inf
-from typing import TypedDict, final
+from typing import Any, final
 
 import numpy as np
 
@@ -17,25 +17,6 @@ _BURST = 0.1  # [s] of the power that may come at once
 _STEADY = 3.0  # over so long an offset of clocks is evened out [s]
 _JUMP = 0.02  # unless it differs by more, as it does when it is found first [s]
 _LONGEST = 10.0  # age that a law is told at most [s]
-
-
-class _Changed(TypedDict):
-    """What of an `End` is another in every step."""
-
-    T: float
-    age: float
-    sample_index: int
-    new: bool
-    step: int
-    first: bool
-    last: bool
-    copies: int
-    spring: float
-    position: Float
-    velocity: Float
-    sample: Float
-    received: Float
-    received_scalars: Float
 
 
 # A greatest force that grows from nothing must be a number; this one stops nobody [N].
@@ -231,7 +212,7 @@ class LawLink(SourcedLink):
             self._waited += T * self._heard
         link, links = self._place
         content = sample.index if sample.content is None else sample.content
-        changed: _Changed = {
+        changed: dict[str, Any] = {
             "T": T,
             "age": age,
             "sample_index": sample.index,
@@ -263,7 +244,7 @@ class LawLink(SourcedLink):
             )
         return k, b
 
-    def _bound(self, changed: _Changed) -> BoundEnd:
+    def _bound(self, changed: dict[str, Any]) -> BoundEnd:
         """The end as it is in its first step with such links."""
         end = End(
             **changed,

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TypedDict, final
+from typing import Any, final
 
 from cotouch.arrays import Float
 from cotouch.mechanics import (
@@ -104,31 +104,7 @@ class StepReport:
     guards: tuple[GuardLedger | None, ...]
 
 
-class Books(TypedDict):
-    """What kernels book in a step; see `StepReport`."""
-
-    supplied: float
-    body_loss: float
-    local_loss: float
-    extra_loss: float
-    kinetic: float
-    elastic: float
-    iterations: int
-    closure: float
-    closure_factor: float
-    shortened: float
-    world_loss: float
-    world_stored: float
-    world_force: tuple[float, ...]
-    cut: float
-    drive_work: float
-    touch_work: float
-    touch_loss: float
-    proxy: float
-    touch_stored: float
-
-
-def books_of(did: Sequence[float], touch: Sequence[float]) -> Books:
+def books_of(did: Sequence[float], touch: Sequence[float]) -> dict[str, Any]:
     """What kernels booked in a step, by the names of a report.
 
     Args:
