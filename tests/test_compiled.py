@@ -21,7 +21,7 @@ from numba.core.compiler import Flags
 from numba.core.cpu import CPUContext
 from numba.core.dispatcher import Dispatcher
 from numba.extending import overload
-from tests.mechanics.inside import credit
+from tests.coupling.inside import credit
 
 import cotouch
 from cotouch import compiled as machine
@@ -88,15 +88,15 @@ def forget() -> None:
         function.cache_clear()
 
 
-ENGINE, STEP, ROOT = "simulation/_engine.py", "mechanics/_step.py", "network/_rightmost.py"
+ENGINE, STEP, ROOT = "simulation/_engine.py", "mechanics/_linear/_step.py", "network/_rightmost.py"
 
 
 @pytest.mark.parametrize(
     ("name", "concerned"),
     [
-        ("mechanics/_operator.py", {ENGINE, STEP}),
-        ("mechanics/_vector.py", {ENGINE, STEP}),
-        ("mechanics/_contact_step.py", {ENGINE}),
+        ("mechanics/_linear/_operator.py", {ENGINE, STEP}),
+        ("kernels/_vector.py", {ENGINE, STEP}),
+        ("mechanics/_contact/_step.py", {ENGINE}),
         ("simulation/_engine.py", {ENGINE}),
         ("device/_phantom.py", {ENGINE}),
         ("network/_loop.py", {ROOT}),
@@ -122,10 +122,10 @@ def test_an_edit_changes_the_stamp_of_what_it_concerns(name: str, concerned: set
 @pytest.mark.parametrize(
     ("line", "counted", "everything"),
     [
-        ("from cotouch.mechanics import at", {"mechanics/_vector.py"}, False),
+        ("from cotouch.kernels import at", {"kernels/_vector.py"}, False),
         (
-            "from cotouch.mechanics import (\n    at,  # which, why\n    multiply as by,\n)",
-            {"mechanics/_operator.py"},
+            "from cotouch.mechanics import (\n    step,  # which, why\n    multiply as by,\n)",
+            {"mechanics/_linear/_operator.py"},
             False,
         ),
         ("if True:\n    from cotouch.network._loop import Loop", {"network/_loop.py"}, False),
@@ -319,7 +319,7 @@ def test_a_call_means_what_its_caller_asks_for_however_often_it_was_met():
 NAMESAKES = """
 import sys
 from numba.extending import overload
-from cotouch.mechanics._kernel import kernel, part
+from cotouch.kernels import kernel, part
 
 def plus(x, y): ...
 def times(x, y): ...
@@ -528,7 +528,7 @@ def test_a_constant_in_a_call_compiles_nothing_once_more():
 
 
 COPIED = """
-from cotouch.mechanics._kernel import inner, kernel
+from cotouch.kernels import inner, kernel
 
 @inner
 def halved(x):

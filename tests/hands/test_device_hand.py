@@ -14,10 +14,10 @@ import pytest
 from scipy.spatial.transform import Rotation
 from tests.hands.led import Led
 
+from cotouch.coupling import END
 from cotouch.errors import DeviceError, SessionError
 from cotouch.hands import DeviceHand
 from cotouch.haptics import CouplingChoice
-from cotouch.mechanics import END
 from cotouch.members import SessionFile, SharedModel, Slot
 from cotouch.observers import HAND_MODES, CommandClient, MailboxFolder, view_fields
 from cotouch.peer import Peer

@@ -6,8 +6,8 @@ from tests.hands.felt import Felt
 from tests.hands.led import Led
 from tests.hands.test_device_hand import RIGID, TOOL, angle, peer_of
 
+from cotouch.coupling import END
 from cotouch.haptics import ARM, Cause, CouplingChoice, Twist
-from cotouch.mechanics import END
 from cotouch.members import SessionFile, SharedModel
 
 T = 2e-3

@@ -8,6 +8,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 from tests.haptics.inside import OrderReader, OrderWriter, ReportReader, ReportWriter, way_back, with_wrist
 
+from cotouch.coupling import EnergyMessage
 from cotouch.device import PRESETS
 from cotouch.errors import DeviceError
 from cotouch.haptics import (
@@ -26,7 +27,6 @@ from cotouch.haptics import (
     ServoSettings,
     at_arm,
 )
-from cotouch.mechanics import EnergyMessage
 
 SPEC = with_wrist(PRESETS["omega"])
 LIMITS = SafetyLimits.of(SPEC)

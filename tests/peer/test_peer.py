@@ -4,16 +4,7 @@ import pytest
 from cotouch.body import lattice, point
 from cotouch.errors import NetworkError
 from cotouch.mechanics import Ports, model
-from cotouch.peer import (
-    NO_HEADER,
-    ConstantLink,
-    FreshestLink,
-    LinkGuard,
-    LinkHeader,
-    LinkState,
-    Peer,
-    Sample,
-)
+from cotouch.peer import NO_HEADER, ConstantLink, FreshestLink, LinkGuard, LinkHeader, LinkState, Peer, Sample
 
 
 def sample(sender: int, index: int, value: float) -> Sample:

@@ -11,16 +11,7 @@ from cotouch.body import lattice
 from cotouch.errors import SessionError
 from cotouch.mechanics import Ports, model
 from cotouch.peer import FreshestLink, Peer, Sample
-from cotouch.samples import (
-    Agreement,
-    Assembly,
-    Identity,
-    PathLaw,
-    Refusal,
-    SampleLink,
-    SamplePlane,
-    Written,
-)
+from cotouch.samples import Agreement, Assembly, Identity, PathLaw, Refusal, SampleLink, SamplePlane, Written
 
 T = 0.002
 BAD = PathLaw(delay=0.02, jitter=0.03, loss=0.3, duplication=0.2, reordering=0.5, hold=0.02)

@@ -13,15 +13,7 @@ from cotouch.control import Relayed, SignedMessage
 from cotouch.errors import SessionError, TransportError
 from cotouch.peer import Sample
 from cotouch.samples import MOST_BYTES, Address, Arrival, Assembly, SampleLink, SamplePlane, UdpTransport, plain_address
-from cotouch.traversal import (
-    ByRelay,
-    Candidate,
-    CandidateKind,
-    PathChanged,
-    PathState,
-    RoutedTransport,
-    write_offer,
-)
+from cotouch.traversal import ByRelay, Candidate, CandidateKind, PathChanged, PathState, RoutedTransport, write_offer
 
 T = 0.004
 MEMBER_BYTES, PAIR_BYTES = 56, 32  # of a question where one is, and of one whether the other is there

@@ -7,30 +7,16 @@ import numpy as np
 
 from cotouch.arrays import Array, Float
 from cotouch.body import Body
+from cotouch.coupling import EnergyMessage
 from cotouch.errors import DeviceError
 from cotouch.hands._grasped import Grasped, GraspedBall, GraspedNode, more
 from cotouch.hands._grasped_tool import GraspedTool
 from cotouch.hands._twisted import Twisted
-from cotouch.haptics import (
-    LEAST_SCALE,
-    MOST_SCALE,
-    CouplingChoice,
-    ProxyEnd,
-    ServoLink,
-    ServoReport,
-    Vector,
-)
-from cotouch.mechanics import EnergyMessage, Model, idle_ports, own_ports
+from cotouch.haptics import LEAST_SCALE, MOST_SCALE, CouplingChoice, ProxyEnd, ServoLink, ServoReport, Vector
+from cotouch.mechanics import Model, idle_ports, own_ports
 from cotouch.members import Slot, SlotHand, coupling_of_slot, device_tools, handles_of, no_ports
 from cotouch.observers import size_of
-from cotouch.scenario import (
-    HandTable,
-    RigidToolTable,
-    Scenario,
-    ToolTable,
-    ports_of,
-    with_tools,
-)
+from cotouch.scenario import HandTable, RigidToolTable, Scenario, ToolTable, ports_of, with_tools
 
 _NOWHERE: Vector = (0.0, 0.0, 0.0)
 # A ball that touches, where the session's file has no tool for the slot: so much of the body's largest extent, within

@@ -14,7 +14,7 @@ from cotouch.laboratory._cell_tables import MapCell, Mapped, ScoreCell, Scored, 
 from cotouch.laboratory._cells import Progress, Store, cells, contents_of, source_of
 from cotouch.laboratory._ideal import ideal
 from cotouch.laboratory._impedance import impedance
-from cotouch.laboratory._replicas import REPLICAS
+from cotouch.laboratory._replicas._kinds import REPLICAS
 from cotouch.laboratory._score import MEASURES, dangerous, measures_of, sizes
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
 from cotouch.laboratory._tasks import Task

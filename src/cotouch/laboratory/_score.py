@@ -7,7 +7,8 @@ import numpy as np
 
 from cotouch.laboratory._ideal import Ideal, forces, places
 from cotouch.laboratory._quality import etvo, hpw_psnr, psnr
-from cotouch.laboratory._replicas import REPLICAS, Moved, replicate
+from cotouch.laboratory._replicas._kinds import REPLICAS
+from cotouch.laboratory._replicas._replica import Moved, replicate
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
 from cotouch.laboratory._tasks import Task
 from cotouch.laws import law_named

@@ -7,8 +7,9 @@ from typing import Any, TypeVar
 import numba
 
 from cotouch.arrays import Float
+from cotouch.kernels import at, inner, kernel, put
 from cotouch.laws._end import End
-from cotouch.mechanics import Ports, at, inner, kernel, put
+from cotouch.mechanics import Ports
 
 F = TypeVar("F", bound=Callable[..., object])
 

@@ -8,9 +8,9 @@ from typing import TypeAlias, final
 
 from cotouch.errors import NetworkError
 from cotouch.installed import installed, installed_names
+from cotouch.kernels import beyond, reason, written_here
 from cotouch.laws._end import CompiledHalf, End
 from cotouch.laws._trial import ends
-from cotouch.mechanics import beyond, reason, written_here
 
 # Entry points of laws that other packages bring.
 GROUP = "cotouch.laws"

@@ -12,12 +12,7 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.errors import NetworkError
 from cotouch.interrupt import flag, interruptible
-from cotouch.network import (
-    Decay,
-    Network,
-    closed_loop,
-    one_user,
-)
+from cotouch.network import Decay, Network, closed_loop, one_user
 from cotouch.planning._deadline import until
 from cotouch.planning._modes import modes_table
 from cotouch.planning._spring_search import Search

@@ -6,11 +6,7 @@ import numpy as np
 
 from cotouch.arrays import Complex, Float, Long
 from cotouch.compiled import raised, routine, subroutine
-from cotouch.network import (
-    Loop,
-    rightmost,
-    slowest,
-)
+from cotouch.network import Loop, rightmost, slowest
 from cotouch.planning._feel import felt
 
 CONSENSUS, DECAY, DAMPING, DRAG, FEEL = range(5)
