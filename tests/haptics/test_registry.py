@@ -1,5 +1,7 @@
 """Drivers by name, what is asked of them in words, and the frames of devices."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -11,6 +13,7 @@ from cotouch.haptics import (
     OPENHAPTICS_FRAME,
     OPENXR_FRAME,
     SIMULATED,
+    Device,
     DeviceChoice,
     DeviceFrame,
     device_names,
@@ -20,6 +23,18 @@ from cotouch.haptics import (
 )
 
 NOT_A_DRIVER = 7
+
+
+def fails(**options: object) -> Device:
+    raise ValueError("no number")
+
+
+def refuses(**options: object) -> Device:
+    raise DeviceError("the option is 7; it must be less")
+
+
+FAILS = replace(SIMULATED, make=fails)
+REFUSES = replace(SIMULATED, make=refuses)
 
 
 def test_the_package_registers_its_own_as_others_do():
@@ -124,3 +139,16 @@ def test_orientations_turn_about_the_same_axis():
 def test_frames_that_are_none_are_refused(rows: tuple[int, int, int], unit: float):
     with pytest.raises(DeviceError, match="must be"):
         DeviceFrame(rows, unit)
+
+
+def test_a_driver_that_cannot_make_its_device_is_a_sentence():
+    with pytest.raises(DeviceError, match=r"cannot be made: no number \(ValueError\); its driver must refuse options"):
+        make_device(f"{__name__}/FAILS")
+    with pytest.raises(DeviceError, match=r"^the option is 7; it must be less$"):
+        make_device(f"{__name__}/REFUSES")
+
+
+def test_a_driver_has_the_name_of_its_entry_point(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr("cotouch.haptics._registry.installed", lambda *a, **k: SIMULATED)
+    with pytest.raises(DeviceError, match='the driver "pantograph" calls itself "simulated"; its entry point must'):
+        driver("pantograph")

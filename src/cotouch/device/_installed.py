@@ -4,7 +4,8 @@ from collections.abc import Iterable
 
 from cotouch.coupling import DeviceCoupling, device_couplings, register_coupling
 from cotouch.errors import DeviceError
-from cotouch.installed import installed, installed_names
+from cotouch.installed import check_own_name, installed, installed_names
+from cotouch.kernels import written_here
 
 GROUP = "cotouch.couplings"
 
@@ -18,10 +19,13 @@ def installed_coupling(name: str, *, what: str = "coupling", others: Iterable[st
         others: names that are right here besides, for messages.
 
     Raises:
-        DeviceError: there is none of this name, it cannot be loaded, or it is no coupling.
+        DeviceError: there is none of this name, it cannot be loaded, or it is no coupling; or it is cotouch's own, and
+            a package brings one of the same name.
     """
     known = device_couplings()
     if name in known:
+        if written_here(known[name].device):
+            check_own_name(GROUP, name, what="coupling", error=DeviceError)
         return known[name]
     loaded = installed(GROUP, name, DeviceCoupling, what="coupling", error=DeviceError)
     if loaded is None:

@@ -82,7 +82,7 @@ class CopyMemory:
     def __post_init__(self) -> None:
         self.hand = np.zeros(self.size if self.law.feels else 0)
         self.touch = np.zeros_like(self.hand)
-        self.shared = np.zeros((len(self.law.fractions), self.size))
+        self.shared = np.zeros((len(self.law.shares), self.size))
         self.scalars = np.zeros(len(self.law.shares_scalars))
 
 
