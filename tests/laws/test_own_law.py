@@ -31,7 +31,7 @@ from cotouch.laws import (
     square,
 )
 from cotouch.scenario import Scenario
-from cotouch.simulation import judge, prepare, simulate
+from cotouch.simulation import judge, prepare, simulate, summary
 
 
 # --- a law: a spring to where the neighbour will be, if it goes on as it goes ----------------------------------------
@@ -154,6 +154,25 @@ def test_a_law_whose_motion_leaves_floating_point_keeps_no_promise() -> None:
     assert judged["promised"]
     assert not judged["kept"]
     assert judged["made_j"] == inf
+
+
+def _mad_at_once(end: End) -> None:
+    end.push[0] = nan
+    end.gains[1] = 1.0
+
+
+@pytest.mark.parametrize(("half", "steps"), [(_mad_at_once, 0), (_too_far, 11)])
+def test_the_step_in_which_the_motion_leaves_floating_point_is_none_of_the_run(half: Any, steps: int) -> None:
+    """What was in memory before was shown as where users were after that step, and as energies."""
+    register(Law(name="mad", before=half, after=_silent))
+    mad = scenario("mad", steps={"duration": 0.1})
+    run = simulate(mad)
+    found = summary(run, mad.build_body())
+    assert found["steps"] == run.attrs["steps"] == steps
+    assert np.isfinite(run.position.values).any(axis=(0, 2, 3)).tolist() == [True] * (steps + 1) + [False] * (
+        100 - steps
+    )
+    assert np.isfinite([*found["age_s"].values(), *found["energy_j"].values()]).all()
 
 
 def _slip(end: End) -> None:
