@@ -16,6 +16,7 @@ from cotouch.haptics import driver
 from cotouch.installed import installed, installed_names
 from cotouch.laws import Law, law_named, laws
 from cotouch.mechanics import CONTACT_LAWS, contact_law_named
+from cotouch.scenario import Scenario
 
 DOCS = Path(__file__).parents[1] / "docs"
 PAGES = {"my_law": DOCS / "laws.md", "my_contact": DOCS / "extending.md"}
@@ -122,17 +123,33 @@ def test_a_name_that_two_packages_bring_is_refused_unless_it_is_the_same_thing(i
         driver("haply")
 
 
+def contact_of(name: str, **parameters: float) -> object:
+    pair = {"users": ["a", "b"], "spring": [[0, 1], [1, 0]], "delay": [[0, 0.1], [0.1, 0]]}
+    return Scenario.make(network=pair, contact={"law": name, "parameters": parameters}).contact.made()
+
+
+def test_a_contact_law_is_tried_with_the_parameters_that_it_is_given(install: Install) -> None:
+    folder = install("[cotouch.contact_laws]\nsoft = my_contact:Soft\n")
+    page = folder / "my_contact.py"
+    text = page.read_text(encoding="utf-8")
+    page.write_text(text.replace("3.0 * modulus * depth**2", "3.0 * modulus**law.share * depth**2"), encoding="utf-8")
+    assert str(contact_of("soft", share=1.0)) == "Soft(share=1.0)"
+    with pytest.raises(ScenarioError, match=r'"soft" breaks the interface with Soft\(share=2.0\): pressure is not the'):
+        contact_of("soft", share=2.0)
+
+
 def test_a_package_cannot_take_a_name_of_cotouch_s_own(install: Install) -> None:
     """It was installed for nothing: cotouch's own ran in its place, and nobody said so."""
     install(
         "[cotouch.laws]\nwave = my_law:AHEAD\n[cotouch.couplings]\npspm = my_law:AHEAD\n"
-        "[cotouch.materials]\nneo-hookean = my_law:AHEAD\n"
+        "[cotouch.materials]\nneo-hookean = my_law:AHEAD\n[cotouch.contact_laws]\nfoundation = my_contact:Soft\n"
     )
     assert law_named("paid").name == "paid"
     for named, name, what, error in (
         (law_named, "wave", "law", NetworkError),
         (installed_coupling, "pspm", "coupling", DeviceError),
         (is_solid_model, "neo-hookean", "material", BodyError),
+        (contact_of, "foundation", "contact law", ScenarioError),
     ):
         with pytest.raises(error, match=f'the {what} "{name}" is cotouch\'s own, but the package mine brings one'):
             named(name)
