@@ -1,6 +1,8 @@
 """Drivers by name, what is asked of them in words, and the frames of devices."""
 
 from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -33,6 +35,11 @@ def refuses(**options: object) -> Device:
     raise DeviceError("the option is 7; it must be less")
 
 
+def incomplete(**options: object) -> Any:
+    return SimpleNamespace(spec=SIMULATED.spec, open=print, close=print)
+
+
+INCOMPLETE = replace(SIMULATED, make=incomplete)
 FAILS = replace(SIMULATED, make=fails)
 REFUSES = replace(SIMULATED, make=refuses)
 
@@ -152,3 +159,10 @@ def test_a_driver_has_the_name_of_its_entry_point(monkeypatch: pytest.MonkeyPatc
     monkeypatch.setattr("cotouch.haptics._registry.installed", lambda *a, **k: SIMULATED)
     with pytest.raises(DeviceError, match='the driver "pantograph" calls itself "simulated"; its entry point must'):
         driver("pantograph")
+
+
+def test_a_device_that_lacks_a_member_is_a_sentence_before_it_is_opened(capsys: pytest.CaptureFixture[str]):
+    """The servo ended with a traceback where it wanted to stop it."""
+    with pytest.raises(DeviceError, match=r"has no calibrate, enable_force, exchange, stop; it must have every member"):
+        open_device(f"{__name__}/INCOMPLETE")
+    assert capsys.readouterr().out == ""

@@ -15,7 +15,7 @@ from typing import final
 
 from cotouch.device import DeviceSpec
 from cotouch.errors import DeviceError
-from cotouch.haptics._device import Device
+from cotouch.haptics._device import Device, lacks
 from cotouch.installed import cause_of, installed, installed_names
 
 GROUP = "cotouch.devices"
@@ -177,6 +177,11 @@ def open_device(name: str, **options: Option) -> Device:
         DeviceError: there is no such driver, an option is wrong, or the device does not open.
     """
     device = make_device(name, **options)
+    missing = lacks(device)
+    if missing:
+        raise DeviceError(
+            f'the device "{name}" has no {", ".join(missing)}; it must have every member of cotouch.haptics.Device'
+        )
     try:
         device.open()
     except BaseException:
