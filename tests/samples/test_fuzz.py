@@ -65,7 +65,8 @@ def going_on(network: MemoryNetwork, users: list[SamplePlane], steps: range, *, 
 
 def begun() -> tuple[MemoryNetwork, list[SamplePlane], list[bytes]]:
     """Two after a few steps, and what the first sealed besides, which somebody keeps from the second."""
-    network, users = planes(PathLaw(), layout(100, 3), rate=500.0)
+    # What the second says is lost now and then, so that its rate has something to find out.
+    network, users = planes(PathLaw(), layout(100, 3), rate=500.0, back=PathLaw(loss=0.2))
     going_on(network, users, range(10))
     users[1].poll(network.now)
     seal = users[0].links[1].seal
