@@ -1,7 +1,8 @@
 """What goes over Zenoh between members, for tests that listen to it or say there what no member would."""
 
 import threading
-from typing import TYPE_CHECKING, final
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, final
 
 import pytest
 from tests.control.inside import SessionKeys, open_session, start_of
@@ -16,14 +17,15 @@ class Sessions:
 
     Args:
         monkeypatch: puts this between members and Zenoh.
+        around: what members are given instead of a session.
     """
 
-    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+    def __init__(self, monkeypatch: pytest.MonkeyPatch, around: Callable[[Any], Any] = lambda session: session) -> None:
         self._joined: list[zenoh.Session] = []
         here = threading.get_ident()
 
         def opened(configured: str) -> "zenoh.Session":
-            session = open_session(configured)
+            session = around(open_session(configured))
             if threading.get_ident() == here:  # others open what introduces members to each other
                 self._joined.append(session)
             return session
