@@ -1,7 +1,7 @@
 """Hands that hold real devices: the proxy of each is a tool of the slot, round or rigid, or a node that it holds."""
 
 from collections.abc import Sequence
-from typing import final
+from typing import NamedTuple, final
 
 import numpy as np
 
@@ -27,6 +27,18 @@ _MASS, _STIFFNESS = 0.05, 1000.0
 _BEYOND = 1.25
 # A workspace that is not known [m].
 _WORKSPACE = 0.1
+
+
+class DeviceWork(NamedTuple):
+    """What a device's coupling has done to the copy so far.
+
+    Attributes:
+        place: where it moved its proxy [J].
+        turning: where it turned it; None: the device renders no torques, or its proxy does not turn [J].
+    """
+
+    place: float
+    turning: float | None
 
 
 @final
@@ -98,6 +110,11 @@ class DeviceHand(SlotHand):
         """Tells each device where its proxy went."""
         for hold in self._holds:
             hold.after()
+
+    @property
+    def work(self) -> tuple[DeviceWork, ...]:
+        """What each device has done, in their order."""
+        return tuple(hold.work for hold in self._holds if isinstance(hold, _Hold))
 
     def show(self, fields: dict[str, Array]) -> None:
         """Writes into a mailbox's fields where each device is, what it holds or pushes with, and what pulls that.
@@ -200,6 +217,10 @@ class _Hold:
         if isinstance(grasped, GraspedTool) and link.spec.torque > 0.0:
             turning = link.couple_turning(below)
             self._twisted = None if turning is None else Twisted(grasped, turning)
+
+    @property
+    def work(self) -> DeviceWork:
+        return DeviceWork(self._end.work, None if self._twisted is None else self._twisted.end.work)
 
     def before(self, T: float) -> None:
         scale = self._scale
