@@ -1,7 +1,6 @@
 """Orders that are typed where a host runs."""
 
 import os
-import re
 
 import pytest
 from tests.cli.inside import Console
@@ -56,12 +55,9 @@ def test_a_line_without_an_end_is_bounded(capsys: pytest.CaptureFixture[str]) ->
     world = filled()
     reading, writing = os.pipe()
     console = Console(host_of(world), descriptor=reading)
-    for _ in range(8):
-        os.write(writing, b"x" * 4096)
+    for written in [b"x" * 4096] * 7 + [b" " * 4096, b"expel Zoe\n"]:
+        os.write(writing, written)
         console.service(0.0)
-    os.write(writing, b"\n")
-    console.service(0.0)
-    (kept,) = re.findall("xx+", capsys.readouterr().err)
-    assert 1 < len(kept) <= 4096
+    assert 'nobody here has the name "Zoe"' in capsys.readouterr().err  # what stood before was let go
     os.close(writing)
     os.close(reading)
