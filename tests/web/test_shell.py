@@ -154,7 +154,7 @@ def test_an_invitation_is_shown_and_a_place_freed(here: World) -> None:
     assert page.is_hidden(".qr")
     words(page, "dialog", "--page-listen")
     page.click("text=Free this place")
-    words(page, "dialog", "The place of Eve is free")
+    words(page, "dialog", "The slot of Eve is free")
     assert here.did("expel") == [{"slot": 4}]
     page.keyboard.press("Escape")
     assert page.evaluate("() => document.activeElement.id") == "invite"
