@@ -215,7 +215,7 @@ def commanded() -> list[Part]:
     return [
         Part("rosters", 0.03, [write_message(Decided(chain=chain)), write_message(Decided(chain=chain[:1]))], roster),
         Part("statuses", 0.04, [write_message(status)], received("status")),
-        Part("wishes to take part", 0.03, [write_message(desired)], received("join")),
+        Part("requests to take part", 0.03, [write_message(desired)], received("join")),
         Part("candidates", 0.02, offers, read_offer),
     ]
 

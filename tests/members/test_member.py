@@ -236,7 +236,7 @@ def test_a_copy_moves_from_the_step_after_it_was_made() -> None:
     made = world.now  # and its first step comes a period later
     world.until(lambda: ann.copy.status(world.now).steps >= 3, 1.0)
     status = ann.copy.status(world.now)
-    assert 0.0 < status.time <= world.now - made - 0.9 * status.period + 0.003
+    assert 0.0 < status.time <= world.now - made - 0.9 * status.nominal_period + 0.003
 
 
 def test_a_name_that_stays_taken_is_an_error() -> None:
@@ -253,7 +253,7 @@ def test_what_is_said_of_itself_adds_up() -> None:
     for person in world.people:
         status = person.copy.status(world.now)
         assert status.steps > 0
-        assert status.certificate is None  # nothing is needed
+        assert status.damping_margin is None  # nothing is needed
         balance = status.initial + status.supplied + status.linked + status.rescaled - status.lost - status.energy
         assert abs(balance) < 1e-9
         assert {link.path_state for link in status.links} == {"direct"}

@@ -42,15 +42,15 @@ SLOTS = st.sampled_from([0, 1, 2, 3, 31, 32, -1, 2**64])
 ENTRY = st.fixed_dictionaries({"slot": SLOTS, "name": NAMES, "key": KEYS, "start": STARTS})
 LINK = st.fixed_dictionaries({"slot": SLOTS, "state": st.sampled_from(["coupled", "keys", "?", "x" * 200])}).flatmap(
     lambda base: record(
-        age=FLOATS, ages=FLOATS, budget=FLOATS, round_trip=FLOATS, loss=FLOATS, rate=FLOATS, force=FLOATS, work=FLOATS,
-        difference=FLOATS, guarded=ENDS,
+        age=FLOATS, age_sum=FLOATS, budget=FLOATS, round_trip=FLOATS, loss=FLOATS, rate=FLOATS, force=FLOATS,
+        work=FLOATS, difference=FLOATS, guarded=ENDS,
     ).map(lambda more: base | more)
 )  # fmt: skip
 STATUS = st.fixed_dictionaries({"slot": SLOTS}).flatmap(
     lambda base: record(
-        epoch=ENDS, time=FLOATS, steps=ENDS, rate=FLOATS, period=FLOATS, longest=FLOATS, missed=ENDS, stood=FLOATS,
-        force=FLOATS, position=st.lists(FLOATS, max_size=4), supplied=FLOATS, lost=FLOATS, linked=FLOATS,
-        rescaled=FLOATS, energy=FLOATS, initial=FLOATS, residual=FLOATS, damping=FLOATS, certificate=FLOATS,
+        epoch=ENDS, time=FLOATS, steps=ENDS, rate=FLOATS, nominal_period=FLOATS, longest_period=FLOATS, missed=ENDS,
+        stood=FLOATS, force=FLOATS, position=st.lists(FLOATS, max_size=4), supplied=FLOATS, lost=FLOATS, linked=FLOATS,
+        rescaled=FLOATS, energy=FLOATS, initial=FLOATS, residual=FLOATS, damping=FLOATS, damping_margin=FLOATS,
         links=st.lists(LINK, max_size=4), unsent=st.booleans(), alarms=ENDS, roster=KEYS,
         closure=FLOATS, closure_factor=FLOATS, closure_alarms=ENDS,
         round_trips=st.lists(st.tuples(SLOTS, FLOATS), max_size=4), initial_energies=FLOATS,

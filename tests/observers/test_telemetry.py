@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from tests.session.world import Person, World
 
+from cotouch.mailbox import MailboxReader
 from cotouch.observers import Emulated, MailboxFolder, Pointer
 from cotouch.recording import audit, read_recording
 
@@ -194,7 +195,7 @@ def test_without_its_damping_a_session_runs_away_is_caught_and_settles(tmp_path:
     commands.damping(0.02)
     world.run(0.1)
     assert [person.copy.damping_fraction for person in world.people] == [0.02, 0.02]
-    certificate = one.copy.status(world.now).certificate
+    certificate = one.copy.status(world.now).damping_margin
     assert certificate == pytest.approx(-0.98)
     most = 0.0
     for _ in range(200):
@@ -213,7 +214,7 @@ def test_without_its_damping_a_session_runs_away_is_caught_and_settles(tmp_path:
     world.run(8.0)
     assert sum(person.copy.totals.energy for person in world.people) < 1e-3 * most
     assert world.all_coupled()
-    assert one.copy.status(world.now).certificate == pytest.approx(0.0)
+    assert one.copy.status(world.now).damping_margin == pytest.approx(0.0)
     assert all(person.copy.totals.alarms == 0 for person in world.people)
 
 
@@ -377,3 +378,10 @@ def test_views_come_after_every_step_of_a_small_body(world: World) -> None:
     world.run(0.2)
     assert one.copy.peer is not None
     assert commanded(world, one.name).number(one.name, "step") == one.copy.peer.steps > before
+
+
+def test_a_view_says_how_long_the_last_step_was(world: World, tmp_path: Path) -> None:
+    name = world.people[0].name
+    view = MailboxReader(MailboxFolder(tmp_path).view(name)).read()
+    assert view is not None
+    assert float(view["period"]) == pytest.approx(1.0 / 250.0, rel=0.3)

@@ -199,7 +199,7 @@ def sentence(taken: "ParticipationOutcome") -> str:
     if status is None or not status.steps:
         return f"{why}{taken.name} did not get to take part"
     return (
-        f"{why}{taken.name} took {status.steps} steps in {status.time:.1f} s, {status.missed} late; the ledger "
+        f"{why}{taken.name} took {status.steps} steps in {status.time:.1f} s, {status.missed} missed; the ledger "
         f"balances to {status.residual:.1e} of the energy in play; link law {status.law}"
         + ("" if taken.recorded is None else f"; {taken.recorded} steps were recorded")
     )

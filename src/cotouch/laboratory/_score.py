@@ -23,7 +23,7 @@ _CALMS = 0.9
 
 # Of each run: name, unit, meaning.
 MEASURES = {
-    "cost": ("1", "J: position error in units of 10 mm, plus force error as a fraction of the ideal force"),
+    "cost": ("1", "position error in units of 10 mm, plus force error as a fraction of the ideal force"),
     "place": ("m", "distance of a copy from the ideal, root mean square"),
     "force": ("1", "difference of the hands' forces from the ideal ones, as a fraction of those"),
     "apart": ("m", "distance of a copy from the mean of all, root mean square"),

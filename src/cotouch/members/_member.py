@@ -93,7 +93,7 @@ class Member:
             secret: that only the invited know.
             coordinator: takes over when it is this member's turn to decide; by default one without a planner.
             recorder: is told of everything.
-            pace: what the process knows of its steps, for the status: rate, longest, missed, stood, busy.
+            pace: what the process knows of its steps, for the status: rate, longest_period, missed, stood, busy.
             delays: that are emulated now, [to, from], (users, users) [s]; None: as the session says.
             device: what others should see of the device in the user's hand, in a line; empty for nothing.
             place: what shows the host where this member is, once it was told; None: nobody asks.

@@ -71,7 +71,7 @@ def view_fields(body: Body, *, users: int, hands: int) -> Fields:
         "slot": ((), "i4"),  # -1: none yet
         "time": ((), "f8"),  # end of the step, monotonic clock [s]
         "step": ((), "i8"),
-        "T": ((), "f8"),  # [s]
+        "period": ((), "f8"),  # length of the step [s]
         "displacement": ((nodes, axes), "f4"),  # [m]
         "cut": ((body.cut_count,), "i1"),  # who decided to cut each element, from 1; 0: it is whole
         "known": ((users,), "i1"),  # whose state is known

@@ -311,7 +311,7 @@ class DemoSessionApi(SteeredMembers):
         if name not in self.members or name in self._killed:
             raise SessionError(f"{name} is not running on this machine")
         self._end(name)
-        return self._told(f"{name}'s process was killed; its place is kept for it")
+        return self._told(f"{name}'s process was killed; its slot is kept for it")
 
     def _end(self, name: str) -> None:
         self._killed.add(name)
@@ -328,7 +328,7 @@ class DemoSessionApi(SteeredMembers):
             self._end(name)
         self.acted = True
         return self._told(
-            f"{name} was expelled for the rest of the session" if elsewhere else f"the place of {name} is free"
+            f"{name} was expelled for the rest of the session" if elsewhere else f"the slot of {name} is free"
         )
 
     def _revive(self, name: str) -> str:
