@@ -12,7 +12,7 @@ from scipy.linalg import eigh
 from tests.body.inside import dissect
 from tests.body.shapes import block, box, sphere
 
-from cotouch.body import Body, Truncation, body_from_surface, body_from_tetrahedra, chain, lattice, lowest_modes
+from cotouch.body import Body, body_from_surface, body_from_tetrahedra, chain, lattice, lowest_modes
 from cotouch.errors import BodyError, UnsupportedError
 
 BEAM: dict[str, Any] = {"unit": "m", "young": 1e5, "rayleigh_mass": 0.5, "rayleigh_stiffness": 1e-3}
@@ -68,13 +68,6 @@ def test_nested_dissection_orders_every_node_once(nodes: int, seed: int):
     assert np.array_equal(np.sort(order), np.arange(nodes))
 
 
-def compliance(kept: Truncation, readings: np.ndarray) -> np.ndarray:
-    """How far what is read moves by forces at what is read [m/N]."""
-    bends = kept.stiffness > 0.0
-    read = readings @ kept.shapes[:, bends]
-    return (read / kept.stiffness[bends]) @ read.T
-
-
 class TestTruncation:
     @pytest.mark.parametrize("make", [held, beam])
     @pytest.mark.parametrize("contacts", [[44], [44, 7, 30]])
@@ -84,7 +77,7 @@ class TestTruncation:
         rows = (np.array(contacts)[:, None] * 3 + np.arange(3)).ravel()
         readings = np.eye(body.mass.shape[0])[rows]
         exact = dense_compliance(body, contacts)
-        assert np.allclose(compliance(kept, readings), exact, rtol=1e-8, atol=1e-10 * np.abs(exact).max())
+        assert np.allclose(kept.compliance(readings), exact, rtol=1e-8, atol=1e-10 * np.abs(exact).max())
         assert kept.error < 1e-9
         assert kept.error_without > 0.01
 
@@ -99,6 +92,7 @@ class TestTruncation:
         assert np.allclose(turned, np.diag(kept.stiffness), atol=1e-8 * kept.stiffness.max())
         exact = eigh(body.stiffness.toarray(), body.mass.toarray(), eigvals_only=True)[:10]
         assert np.allclose(kept.stiffness[:10], exact, rtol=1e-6, atol=1e-6)
+        assert np.allclose(kept.frequencies, np.sqrt(kept.stiffness[:10]) / 2 / np.pi)
 
     def test_what_is_missing_elsewhere_is_a_compliance(self):
         """Away from the contacts a truncated body is too stiff, never too soft: the residual is semidefinite."""
@@ -108,7 +102,7 @@ class TestTruncation:
         last = np.inf
         for modes in (1, 5, 20, 60):
             kept = body.truncated(modes=modes, contacts=[44]).truncation
-            missing = exact - compliance(kept, everything)
+            missing = exact - kept.compliance(everything)
             values = np.linalg.eigvalsh(missing)
             assert values.min() > -1e-9 * np.abs(exact).max()
             assert values.max() < last
@@ -124,7 +118,7 @@ class TestTruncation:
         rows = (np.array(nodes)[:, None] * 3 + np.arange(3)).ravel()
         missing = made.missing_compliance(vertices)
         exact = dense_compliance(body, nodes)
-        found = compliance(made.truncation, np.eye(body.mass.shape[0])[rows]) + missing
+        found = made.truncation.compliance(np.eye(body.mass.shape[0])[rows]) + missing
         assert np.allclose(found, exact, rtol=1e-8, atol=1e-9 * np.abs(exact).max())
         assert np.linalg.eigvalsh(missing).min() > -1e-9 * np.abs(exact).max()
         assert np.abs(missing[6:, 6:]).max() < 1e-9 * np.abs(exact).max()  # the contact lacks nothing
@@ -166,7 +160,7 @@ class TestTruncation:
         kept = made.truncation
         assert kept is not None
         assert kept.shapes.shape == (60, 8)
-        assert np.allclose(compliance(kept, np.eye(60)[[59, 0]]), dense_compliance(body, [59, 0]))
+        assert np.allclose(kept.compliance(np.eye(60)[[59, 0]]), dense_compliance(body, [59, 0]))
         wide = made.as_full().truncation
         assert wide is not None
         assert wide.modes == 18

@@ -14,13 +14,14 @@ from cotouch.device import (
     SimulatedHand,
     assemble,
     critical_stiffness,
+    preset,
 )
 from cotouch.errors import DeviceError
 
 
 @pytest.mark.parametrize("name", PRESETS)
 def test_presets_can_be_simulated(name):
-    spec = PRESETS[name]
+    spec = preset(name)
     assert 0.0 < spec.continuous_force <= spec.force
     assert spec.actuated <= spec.degrees_of_freedom
     DeviceModel(
@@ -31,9 +32,9 @@ def test_presets_can_be_simulated(name):
 
 
 def test_limits_are_those_in_common_use():
-    forces = {name: PRESETS[name].force for name in ("omega", "delta", "touch", "falcon")}
+    forces = {name: preset(name).force for name in ("omega", "delta", "touch", "falcon")}
     assert forces == {"omega": 12.0, "delta": 20.0, "touch": 3.3, "falcon": 8.0}
-    assert PRESETS["inverse3"].rate == 4000.0
+    assert preset("inverse3").rate == 4000.0
 
 
 def test_books_are_named_in_their_order():
@@ -51,6 +52,7 @@ def test_no_devices_are_a_table_too():
 @pytest.mark.parametrize(
     ("make", "message"),
     [
+        (lambda: preset("phantom 1.5"), 'device is "phantom 1.5"; it must be one of omega, delta, touch, falcon'),
         (lambda: CartesianPlant(mass=0.0), "mass is 0 kg; it must be finite, above 0"),
         (lambda: CartesianPlant(viscous=-1.0), "viscous is -1 Ns/m; it must be finite, at least 0"),
         (lambda: CartesianPlant(coulomb=float("nan")), "coulomb is nan N"),

@@ -85,7 +85,7 @@ def placed(model, q, v, numbers=NUMBERS):
     state.measured[0, :3] = q
     state.momentum[0, :3] = mass_matrix(q, numbers) @ v
     state.tip[0, :3] = tip(q)
-    state.sample[0, :3] = state.desired[0, :3] = state.equilibrium[0, :3] = tip(q)
+    state.sample[0, :3] = state.desired[0, :3] = state.set_position[0, :3] = state.equilibrium[0, :3] = tip(q)
     advance(devices, state, 0, 0.0)
     state.ledger[0, BOOK["initial"]] += state.ledger[0, BOOK["residual"]]
     advance(devices, state, 0, 0.0)

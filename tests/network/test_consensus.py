@@ -58,11 +58,12 @@ def test_odd_ring_with_unit_delays():
         assert mixing(network, time_unit=1.0).value == pytest.approx(math.cos(math.pi / n), abs=1e-12)
         # Lag 2 instead of 1: the same chain in the square of z.
         result = mixing(network, time_unit=1.0, convention="matrix")
-        assert (result.value, result.period) == (1.0, 2)
+        assert (result.value, result.period, result.time_constant_s) == (1.0, 2, math.inf)
 
 
-def test_complete_graph_of_four():
-    assert mixing(uniform(complete(4), 4, delay=0.5), time_unit=0.5).value == pytest.approx(1 / 3)
+def test_time_constant():
+    result = mixing(uniform(complete(4), 4, delay=0.5), time_unit=0.5)
+    assert result.time_constant_s == pytest.approx(0.5 / math.log(3))
 
 
 def test_two_users_and_bipartite_graphs_never_mix():

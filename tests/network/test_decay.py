@@ -52,6 +52,7 @@ def test_two_users_without_delay():
         decay = rightmost_root(network, mass=2.0, damping=b, stiffness=k, sync_damping=[B, B])
         assert decay.rate == pytest.approx(expected, abs=1e-10)
         np.testing.assert_array_equal(decay.sync_damping, [B, B])
+        assert decay.time_constant_s == pytest.approx(-1 / expected)
 
 
 def test_two_users_without_mass_follow_the_lambert_function():

@@ -96,6 +96,15 @@ class Skin:
         field = np.asarray(displacement, dtype=np.float64)
         return np.einsum("vk,vkd->vd", self.weights, field[self.nodes])
 
+    def spread(self, forces: npt.ArrayLike, body_nodes: int) -> Float:
+        """Forces at the nodes, (n, 3), that do the same work as forces at the skin's vertices, (V, 3).
+
+        Args:
+            forces: (V, 3) [N].
+            body_nodes: n.
+        """
+        return np.asarray(self.interpolation(body_nodes).T @ np.asarray(forces, dtype=np.float64))
+
 
 def _table(
     name: str, values: npt.ArrayLike, kind: type[np.float64 | np.int32], *, width: int | None

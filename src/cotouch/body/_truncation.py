@@ -44,6 +44,11 @@ class Truncation:
     error: float
     error_without: float
 
+    @property
+    def frequencies(self) -> Float:
+        """Of the natural modes, (r,) [Hz]."""
+        return np.sqrt(self.stiffness[: self.modes]) / (2.0 * np.pi)
+
     def as_full(self, dimension: int) -> "Truncation":
         """The same shapes for a body with a row for every axis."""
         return Truncation(
@@ -54,6 +59,12 @@ class Truncation:
             error=self.error,
             error_without=self.error_without,
         )
+
+    def compliance(self, readings: Float) -> Float:
+        """Static compliance that the shapes give among readings h (m, rows), rigid motions left out, (m, m) [m/N]."""
+        bends = self.stiffness > 0.0
+        read = readings @ self.shapes[:, bends]
+        return (read / self.stiffness[bends]) @ read.T
 
 
 def truncate(

@@ -164,6 +164,7 @@ def _start(models: Sequence[DeviceModel], devices: Devices) -> DeviceState:
         effort=vectors(),
         effort_before=vectors(),
         measured=coordinate.copy(),
+        set_position=place.copy(),
         resting=np.zeros((4 * count, REST_FIELDS)),
         history=np.zeros((count, length, 4)),
         history_time=np.zeros((count, length)),

@@ -77,6 +77,7 @@ def _couple(devices: Devices, state: DeviceState, d: int) -> None:
     acts = load(state.coming, d, LANES)
     for axis in range(3):
         stretch, push = at(ends, (d, END.stretch + axis)), at(ends, (d, END.push + axis))
+        put(state.set_position, (d, axis), at(state.place, (d, axis)) + stretch)
         force = spring * stretch + push - brake * at(state.sample_velocity, (d, axis))
         put(state.coming, (d, axis), force if on else 0.0)
     actuate(devices, state, d, acts if late else load(state.coming, d, LANES))

@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 from typing import final
 
+from cotouch.errors import DeviceError
+
 
 @final
 @dataclass(frozen=True, kw_only=True)
@@ -145,3 +147,17 @@ PRESETS: dict[str, DeviceSpec] = {
     ),
 }
 """Specifications by short name; every one is nominal."""
+
+
+def preset(name: str) -> DeviceSpec:
+    """The nominal specification of a common product.
+
+    Args:
+        name: one of `PRESETS`.
+
+    Raises:
+        DeviceError: no such product.
+    """
+    if name not in PRESETS:
+        raise DeviceError(f'device is "{name}"; it must be one of {", ".join(PRESETS)}')
+    return PRESETS[name]

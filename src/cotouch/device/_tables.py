@@ -195,6 +195,7 @@ class DeviceState(NamedTuple):
         effort: held by the motors, (devices, 4).
         effort_before: held before the last tick, (devices, 4).
         measured: coordinate as last measured, (devices, 4).
+        set_position: ȳ, (devices, 4) [m].
         resting: what `place_at_rest` keeps for each coordinate, (4 devices, REST_FIELDS).
         history: last places, (devices, length, 4) [m].
         history_time: (devices, length) [s].
@@ -229,6 +230,7 @@ class DeviceState(NamedTuple):
     effort: Float
     effort_before: Float
     measured: Float
+    set_position: Float
     resting: Float
     history: Float
     history_time: Float

@@ -180,6 +180,10 @@ class Study(Table):
             return ["published"]
         return [*["published"] * (not self.tuning.only), "tuned", *["safe"] * bool(self.tuning.safe)]
 
+    def law(self, label: str) -> LawTable:
+        """A law of the study by its name in it."""
+        return next(law for law in self.laws if law.label == label)
+
     def network(self, name: str) -> NetworkTable:
         """A network of the study by its name."""
         return next(network for network in self.networks if network.name == name)

@@ -51,6 +51,11 @@ class Decay:
         """Real part of the root, 1/s."""
         return self.root.real
 
+    @property
+    def time_constant_s(self) -> float:
+        """Seconds in which the slowest mode falls by e; inf when it does not fall."""
+        return -1.0 / self.root.real if self.root.real < 0 else math.inf
+
 
 def rightmost_root(
     network: Network,
