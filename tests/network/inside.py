@@ -4,7 +4,7 @@ from cotouch.network._age_sums import age_sums_of
 from cotouch.network._consensus import Mixing, consensus_loop, lifted_matrix
 from cotouch.network._definite import definite, negatives
 from cotouch.network._elimination import REGULAR, cut, evaluate, scratch
-from cotouch.network._exact import _family as scaled_family
+from cotouch.network._exact import exact_margin, sync_hermitian
 from cotouch.network._gains import coefficients, damping_matrices
 from cotouch.network._lags import cycle_period
 from cotouch.network._resonance import _swift as swift
@@ -26,12 +26,13 @@ __all__ = [
     "damping_matrices",
     "definite",
     "evaluate",
+    "exact_margin",
     "excluded",
     "lifted_matrix",
     "negatives",
-    "scaled_family",
     "scratch",
     "swift",
+    "sync_hermitian",
     "thorough",
     "turn_of",
     "windows",

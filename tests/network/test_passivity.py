@@ -5,7 +5,7 @@ import pytest
 import scipy.optimize
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.network.inside import age_sums_of, coefficients, damping_matrices, scaled_family
+from tests.network.inside import age_sums_of, coefficients, damping_matrices, exact_margin, sync_hermitian
 from tests.network.support import five_users, pairs, random_network, uniform
 from tests.thorough import examples
 
@@ -165,17 +165,10 @@ def test_energy_of_a_motion_is_what_the_hermitian_part_says():
     assert stored == pytest.approx(0.0, abs=1e-20)
     theta = 2 * np.pi * np.arange(1, count // 2) / count
     V = np.fft.fft(v, axis=0)
-    H = coupling(network, theta, steps, T) + np.diag(beta[:, 0])
+    H = sync_hermitian(network, theta, index_delay=steps, period=T, damping=beta)
     power = np.einsum("ki,kij,kj->k", V[1 : count // 2].conj(), H, V[1 : count // 2]).real
     at_pi = (np.abs(V[count // 2]) ** 2 * beta[:, 0]).sum()
     assert energy == pytest.approx(T / count * (2 * power.sum() + at_pi), rel=1e-9)
-
-
-def coupling(network, theta, steps, T):
-    """C(θ), in which nobody has damping: as it is beside a damping of 1 Ns/m each."""
-    unit = np.zeros((network.size, 1 + len(network.weights)))
-    unit[:, 0] = 1.0
-    return scaled_family(network, steps, T, unit).matrices(theta)
 
 
 def worst_start(H):
@@ -272,7 +265,7 @@ def test_exact_test_is_tight_both_ways():
     steps, T = off_diagonal(4, 5), 0.1
     damping = damping_for(network, "exact", index_delay=steps, periods=T)
     theta = np.linspace(0.01, 3.1, 4000)
-    H = coupling(network, theta, steps, T) + np.diag(damping[:, 0])
+    H = sync_hermitian(network, theta, index_delay=steps, period=T, damping=damping)
     smallest = np.linalg.eigvalsh(H)[:, 0]
     at = int(np.argmin(smallest))
     mode = worst_start(H[at])
@@ -329,7 +322,7 @@ def test_complete_graph_of_eight():
 
 @settings(max_examples=examples(30), deadline=None)
 @given(st.integers(0, 10**6), st.sampled_from([3, 30, 2000]))
-def test_scaling_against_brute_force(seed, longest):
+def test_scaling_and_margin_against_brute_force(seed, longest):
     rng = np.random.default_rng(seed)
     network = random_network(rng, size=int(rng.integers(2, 6)))
     n, T = network.size, 0.003
@@ -337,17 +330,22 @@ def test_scaling_against_brute_force(seed, longest):
     steps[0, 1:] = np.maximum(steps[0, 1:], 1)
     beta = rng.uniform(0.2, 1.0, (n, 1)) * T * longest
     scaling = exact_scaling(network, index_delay=steps, period=T, damping=beta)
+    margin = exact_margin(network, index_delay=steps, period=T, damping=beta)
     # Coarse over all angles (where a maximum of width 1/N may hide), fine where the envelope lets it be.
     theta = np.r_[0.0, np.geomspace(1e-7, np.pi, 3000), np.linspace(0, 12 * np.pi / longest, 3000) % np.pi]
-    C = coupling(network, theta, steps, T)
+    C = sync_hermitian(network, theta, index_delay=steps, period=T, damping=0 * beta)
     root = np.sqrt(beta[:, 0])
     brute = np.linalg.eigvalsh(-C / root[:, None] / root)[:, -1].max()
     assert scaling >= brute * (1 - 1e-12)
     assert scaling == pytest.approx(brute, rel=2e-3)
+    lowest = np.linalg.eigvalsh(C + np.diag(beta[:, 0]))[:, 0].min()
+    assert margin <= lowest + 1e-12
+    assert margin == pytest.approx(lowest, abs=2e-3 * np.abs(C).max() * n)
+    assert (scaling <= 1) == (margin >= 0) or abs(scaling - 1) < 1e-8
     # The two measures are one: with all damping scaled, the smallest eigenvalue is just 0.
-    lowest = np.linalg.eigvalsh(C + scaling * np.diag(beta[:, 0]))[:, 0].min()
-    assert lowest >= -1e-12 * np.abs(C).max() * n
-    assert lowest == pytest.approx(0.0, abs=2e-3 * np.abs(C).max() * n)
+    assert exact_margin(network, index_delay=steps, period=T, damping=scaling * beta) == pytest.approx(
+        0.0, abs=1e-8 * np.abs(C).max() * n
+    )
 
 
 def test_common_weight_is_a_scalar_problem_times_the_weight():
@@ -358,6 +356,11 @@ def test_common_weight_is_a_scalar_problem_times_the_weight():
     same = exact_scaling(plain, period=0.01, damping=rule[:, 1])
     assert exact_scaling(weighted, period=0.01, damping=rule) == same
     assert exact_scaling(weighted, period=0.01, damping=rule[:, 1]) == same
+    low, high = np.linalg.eigvalsh(SPD)
+    for factor, eigenvalue in ((2.0, low), (0.1, high)):
+        assert exact_margin(weighted, period=0.01, damping=factor * rule) == pytest.approx(
+            eigenvalue * exact_margin(plain, period=0.01, damping=factor * rule[:, 1])
+        )
     # The same through the block matrices, which identity damping forces.
     blocks = exact_scaling(weighted, period=0.01, damping=rule + np.array([[1e-13, 0.0]]))
     assert blocks == pytest.approx(same, rel=1e-9)
@@ -369,13 +372,13 @@ def test_different_weights_against_brute_force():
     rule = rule_damping(network, index_delay=steps, periods=T)
     assert rule.shape == (3, 3)
     theta = np.linspace(0, np.pi, 4001)
-    C = coupling(network, theta, steps, T)
+    C = sync_hermitian(network, theta, index_delay=steps, period=T, damping=0 * rule)
     D = damping_matrices(network, rule)
     root = scipy.linalg.block_diag(*[np.linalg.inv(scipy.linalg.sqrtm(block)) for block in D])
     brute = np.linalg.eigvalsh(-root @ C @ root)[:, -1].max()
     scaling = exact_scaling(network, index_delay=steps, period=T, damping=rule)
     assert brute <= scaling <= brute * (1 + 1e-5)
-    assert scaling <= 1.0 + 1e-12
+    assert exact_margin(network, index_delay=steps, period=T, damping=rule) >= -1e-12
     many = Network(
         users=[str(i) for i in range(130)],
         spring=np.einsum("ij,pq->ijpq", off_diagonal(1.0, 130), SPD),
@@ -391,7 +394,8 @@ def test_nothing_to_cover_and_nothing_to_cover_it_with():
     zero, two = np.zeros((3, 3)), off_diagonal(2, 3)
     assert exact_scaling(network, index_delay=zero, period=0.1, damping=np.zeros(3)) == 0.0
     assert exact_scaling(network, index_delay=two, period=0.1, damping=[1, 0, 1]) == np.inf
-    assert exact_scaling(uniform([], 2), index_delay=zero[:2, :2], period=0.1, damping=[3, 2]) == 0.0
+    assert exact_margin(network, index_delay=two, period=0.1, damping=[1, 0, 1]) < 0
+    assert exact_margin(uniform([], 2), index_delay=zero[:2, :2], period=0.1, damping=[3, 2]) == pytest.approx(2.0)
     certificates = certify(network, index_delay=two, periods=0.1, damping=np.zeros(3))
     assert all(c.margin == -np.inf and not c.holds for c in certificates.values())
     certificates = certify(network, index_delay=zero, periods=0.1)

@@ -50,17 +50,16 @@ _MOST_ROWS = 256
 @final
 @dataclass(frozen=True, eq=False)
 class _Family:
-    """The matrices `-C(theta)` of which the largest eigenvalue is sought, scaled by the damping from both sides.
+    """The matrices `-C(theta) - constant` of which the largest eigenvalue is sought.
 
     Attributes:
         ends: (links, 2) users.
-        blocks: (links, r, r) `K_ij`, scaled.
+        blocks: (links, r, r) `K_ij`, perhaps scaled from both sides.
         norms: (links,) spectral norms of the blocks.
         forth: (links,) `N_ij`.
         back: (links,) `N_ji`.
         period: T in s.
-        period: T [s].
-        size: N.
+        constant: (N, r, r) block diagonal.
     """
 
     ends: Long
@@ -69,24 +68,25 @@ class _Family:
     forth: Long
     back: Long
     period: float
-    size: int
+    constant: Float
 
     def top(self, theta: Float) -> Float:
         """Largest eigenvalue at every angle."""
-        size, rows = self.size, self.blocks.shape[1]
+        size, rows = self.constant.shape[:2]
         chunk = max(1, _BATCH // (size * rows) ** 2)
         parts = [np.linalg.eigvalsh(-self.matrices(theta[k : k + chunk]))[:, -1] for k in range(0, len(theta), chunk)]
         return np.concatenate(parts).astype(np.float64)
 
     def matrices(self, theta: Float) -> Complex:
         """`C(theta) + constant`: (len(theta), N r, N r)."""
-        size, rows = self.size, self.blocks.shape[1]
+        size, rows = self.constant.shape[:2]
         half = theta[:, None] / 2
         total = self.forth + self.back
         with np.errstate(divide="ignore", invalid="ignore"):
             ratio = np.where(half > 0, np.sin(total * half) / np.tan(half), total)
         entry = self.period / 2 * ratio * np.exp(1j * half * (self.back - self.forth))
         matrix = np.zeros((len(theta), size, rows, size, rows), dtype=np.complex128)
+        matrix[:, np.arange(size), :, np.arange(size), :] = self.constant[:, None]
         for link, (i, j) in enumerate(self.ends):
             block = entry[:, link, None, None] * self.blocks[link]
             matrix[:, i, :, j, :] = block
@@ -108,7 +108,7 @@ class _Family:
     def _row_sums(self, values: Float) -> Float:
         """Largest row sum of the symmetric matrices with `T/2 |K_ij| values`, which bounds their spectral norm."""
         values = self.period / 2 * self.norms * values
-        rows = np.zeros((len(values), self.size))
+        rows = np.zeros((len(values), len(self.constant)))
         for link, (i, j) in enumerate(self.ends):
             rows[:, i] += values[:, link]
             rows[:, j] += values[:, link]
@@ -134,11 +134,61 @@ def exact_scaling(
         NetworkError: inputs of the wrong shape or range.
         UnsupportedError: different weights on the springs, and more than 256 rows in all.
     """
-    family = _family(network, index_delay, period, damping)
+    family = _family(network, index_delay, period, damping, scaled=True)
     return 0.0 if not len(family.ends) else np.inf if not np.isfinite(family.norms).all() else _largest(family)
 
 
-def _family(network: Network, index_delay: npt.ArrayLike | None, period: float, damping: npt.ArrayLike) -> _Family:
+def exact_margin(
+    network: Network, *, index_delay: npt.ArrayLike | None = None, period: float, damping: npt.ArrayLike
+) -> float:
+    """Smallest eigenvalue of H(theta) over all theta from 0 to pi, in Ns/m: passive where it is at least 0.
+
+    Arguments and errors as for `exact_scaling`. Never too large, and at most 1e-9 of the largest damping or of the
+    reach of the springs too small.
+
+    Args:
+        network: of the users.
+        index_delay: (N, N) in steps; None: what the delays come to.
+        period: of all users [s].
+        damping: of the users [Ns/m].
+    """
+    beta = coefficients(network, damping)
+    family = _family(network, index_delay, period, beta, scaled=False)
+    smallest = -_largest(family)
+    weight = single_weight(network, beta)
+    if not weight:
+        return smallest
+    # H is a scalar problem times the weight: the sign decides which eigenvalue of the weight counts.
+    low, high = np.linalg.eigvalsh(network.weights[weight - 1])[[0, -1]]
+    return smallest * float(low if smallest >= 0 else high)
+
+
+def sync_hermitian(
+    network: Network,
+    theta: npt.ArrayLike,
+    *,
+    index_delay: npt.ArrayLike | None = None,
+    period: float,
+    damping: npt.ArrayLike,
+) -> Complex:
+    """H(theta) at the given angles: (len(theta), N r, N r) Ns/m; other arguments and errors as for `exact_scaling`.
+
+    Where one weight serves all links and all damping, r = 1 and the matrices are to be multiplied by that weight.
+
+    Args:
+        network: of the users.
+        theta: angles, from 0 to pi.
+        index_delay: (N, N) in steps; None: what the delays come to.
+        period: of all users [s].
+        damping: of the users [Ns/m].
+    """
+    family = _family(network, index_delay, period, damping, scaled=False)
+    return family.matrices(np.atleast_1d(np.array(theta, dtype=np.float64)))
+
+
+def _family(
+    network: Network, index_delay: npt.ArrayLike | None, period: float, damping: npt.ArrayLike, *, scaled: bool
+) -> _Family:
     periods = check_periods(network, period)
     if np.ndim(period):
         raise NetworkError("period is a list; the exact test needs one common period in seconds")
@@ -158,15 +208,17 @@ def _family(network: Network, index_delay: npt.ArrayLike | None, period: float, 
         own = beta[:, weight, None, None]
         blocks = network.spring[ends[:, 0], ends[:, 1], None, None]
     forth, back = steps[ends[:, 0], ends[:, 1]], steps[ends[:, 1], ends[:, 0]]
-    late = forth + back > 0
-    ends, blocks, forth, back = ends[late], blocks[late], forth[late], back[late]
-    root = inverse_roots(own)
-    with np.errstate(invalid="ignore"):
-        blocks = root[ends[:, 0]] @ blocks @ root[ends[:, 1]]
+    if scaled:
+        late = forth + back > 0
+        ends, blocks, forth, back = ends[late], blocks[late], forth[late], back[late]
+        root = inverse_roots(own)
+        with np.errstate(invalid="ignore"):
+            blocks = root[ends[:, 0]] @ blocks @ root[ends[:, 1]]
+        own = np.zeros_like(own)
     finite = np.isfinite(blocks).all(axis=(1, 2))
     norms = np.full(len(blocks), np.inf)
     norms[finite] = np.linalg.norm(blocks[finite], ord=2, axis=(1, 2))
-    return _Family(ends, blocks, norms, forth, back, float(periods[0]), network.size)
+    return _Family(ends, blocks, norms, forth, back, float(periods[0]), own)
 
 
 def _largest(family: _Family) -> float:
@@ -174,12 +226,17 @@ def _largest(family: _Family) -> float:
     theta = np.linspace(0.0, np.pi, _FIRST_INTERVALS + 1)
     value = family.top(theta)
     low, high, at_low, at_high = theta[:-1], theta[1:], value[:-1], value[1:]
+    # The constant part shifts the envelope of C by at most its own largest eigenvalue of the other sign.
+    shift = -float(np.linalg.eigvalsh(family.constant)[:, 0].min())
     best = float(value.max())
-    slack = TOLERANCE * max(float(family.bounds(np.zeros(1))[0][0]), abs(best))
+    scale = float(family.bounds(np.zeros(1))[0][0]) if len(family.ends) else 0.0
+    slack = TOLERANCE * max(scale, abs(best), float(np.abs(family.constant).max()))
+    if not len(family.ends):
+        return best
     for _ in range(_HALVINGS):
         check()
         size, bend = family.bounds(low)
-        upper = np.minimum(np.maximum(at_low, at_high) + bend * (high - low) ** 2 / 8, size)
+        upper = np.minimum(np.maximum(at_low, at_high) + bend * (high - low) ** 2 / 8, size + shift)
         keep = upper > best + slack
         if not keep.any():
             return best + slack
@@ -192,5 +249,5 @@ def _largest(family: _Family) -> float:
         low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
         at_low, at_high = np.concatenate([at_low, at_middle]), np.concatenate([at_middle, at_high])
     size, bend = family.bounds(low)
-    upper = np.minimum(np.maximum(at_low, at_high) + bend * (high - low) ** 2 / 8, size)
+    upper = np.minimum(np.maximum(at_low, at_high) + bend * (high - low) ** 2 / 8, size + shift)
     return float(max(best, upper.max()))
