@@ -163,9 +163,7 @@ class Servo:
             self._on = False
 
     def _end(self) -> bool:
-        self._device.stop()
-        self._force[:] = self._torque[:] = 0.0
-        self.say()
+        self.stop()
         return False
 
     def _exchange_both(self, force: Float) -> DeviceReading:
