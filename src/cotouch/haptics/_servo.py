@@ -217,7 +217,7 @@ def main() -> int:
     below = _hung_up(sys.stdout.fileno())
     guard = Watched(settings.folder, time.monotonic)
     try:
-        device.calibrate(allow_motion=settings.allow_motion)
+        device.calibrate(allow_motion=False)
         servo = Servo(device, settings, watched=watched, attended=lambda: not below(), unwatched=guard.silence)
         warm(device.spec, settings)
         with prepare_process(real_time=settings.real_time) as state:
