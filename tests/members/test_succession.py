@@ -311,7 +311,7 @@ def test_who_is_sent_away_is_out_and_the_others_take_new_keys() -> None:
         (a.name, slot): held.keys._agreement.epoch for a in (ann, cleo) for slot, held in a.copy.neighbours.items()
     }
     assert world.host is not None
-    world.host.expel("Ben")
+    world.host.coordinator.expel("Ben")
     with pytest.raises(SessionError, match="the host expelled Ben"):
         world.run(1.0)
     world.people.remove(ben)

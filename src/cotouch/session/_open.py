@@ -48,8 +48,9 @@ class OpenHost:
         Raises:
             InputError: the body of the session cannot be built.
         """
-        if self.host.admission.fingerprint is None and self._fingerprint.done():
-            self.host.admission.fingerprint = self._fingerprint.result()
+        admission = self.host.coordinator.admission
+        if admission.fingerprint is None and self._fingerprint.done():
+            admission.fingerprint = self._fingerprint.result()
         self._mirror.poll()  # tells members how they are seen from here
         self.host.service(now)
 
