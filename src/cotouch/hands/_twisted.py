@@ -3,10 +3,8 @@
 from typing import final
 
 from cotouch.hands._grasped_tool import GraspedTool
-from cotouch.haptics import EndOptions, Quaternion, ServoReport, TurningProxyEnd, Vector, back, product
+from cotouch.haptics import ZERO, EndOptions, Quaternion, ServoReport, TurningProxyEnd, back, product
 from cotouch.mechanics import EnergyMessage
-
-_STILL: Vector = (0.0, 0.0, 0.0)
 
 
 @final
@@ -38,7 +36,7 @@ class Twisted:
             report: the newest of the device; None: nothing is known.
             T: length of the step [s].
         """
-        here, goal, spin = self._tool.orientation(), None, _STILL
+        here, goal, spin = self._tool.orientation(), None, ZERO
         if report is not None and report.orientation is not None:
             if self._frame is None:
                 self._frame = product(back(report.orientation), here)
