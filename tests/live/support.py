@@ -104,7 +104,7 @@ def heading(step: int = 0, **changes: float) -> Heading:
 
 def datagrams(codec: SampleCodec, state: np.ndarray, head: Heading) -> list[bytes]:
     written = codec.write(state)
-    return [codec.datagram(head, chunk, body) for chunk, body in enumerate(written)]
+    return [codec.datagram(head, chunk, body) for chunk, body in enumerate(written.bodies)]
 
 
 def planes(

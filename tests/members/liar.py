@@ -87,7 +87,7 @@ class Liar:
                 )
                 written = plane._codec.write(place)
                 told = plane._codec.told(None if link.law is None else self.message(link.law.message))
-                for chunk, body in enumerate(written):
+                for chunk, body in enumerate(written.bodies):
                     sealed = link.seal.seal(plane._codec.datagram(heading, chunk, body, told[chunk]))
                     if sealed is not None:
                         plane._transport.send(other, sealed)

@@ -655,7 +655,7 @@ def test_what_a_law_says_is_bounded_on_arrival() -> None:
     message = fields.reshape(len(law.sends), -1), scalars
     told = codec.told(message)
     assert not isinstance(told, Refusal)
-    datagram = codec.datagram(heading, 0, written[0], told[0])
+    datagram = codec.datagram(heading, 0, written.bodies[0], told[0])
     chunk = codec.read(datagram, epoch=0, sender=1)
     assert isinstance(chunk, Chunk)
     assert chunk.scalars is not None

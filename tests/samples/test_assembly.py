@@ -85,6 +85,16 @@ def test_padding_stays_zero():
     assert not held.state[:, 3].any()
 
 
+def test_reduced_coordinates_fill_all_rows():
+    basis = np.linalg.qr(np.random.default_rng(0).normal(size=(130, 9)))[0]
+    shape = layout(130, 3, basis=basis)
+    codec, held = SampleCodec(shape), Assembly(shape, sender=1, initial=np.zeros((130, 4)))
+    state = np.zeros((130, 4))
+    state[:, :3] = basis @ np.random.default_rng(1).normal(size=(9, 3))
+    held.take(codec.read(datagrams(codec, state, heading())[0], epoch=3, sender=1))
+    assert np.allclose(held.state, state, atol=1e-14)
+
+
 def test_whole_samples_may_come_another_way():
     held = assembly()
     assert held.offer(Sample(sender=1, index=3, stamp=0.003, position=state_of(SHAPE, 3)))

@@ -46,6 +46,7 @@ headings = st.builds(
 def test_round_trip(rows: int, axes: int, encoding: str, head, seed: int):
     shape = layout(rows, axes, encoding=encoding)
     codec, state = SampleCodec(shape), state_of(shape, seed, size=10.0 ** (seed % 8 - 4))
+    written = codec.write(state)
     back, seen = np.full((rows, axes), np.nan), 0
     for k, payload in enumerate(datagrams(codec, state, head)):
         assert len(payload) + OVERHEAD <= MOST_BYTES
@@ -55,10 +56,13 @@ def test_round_trip(rows: int, axes: int, encoding: str, head, seed: int):
         assert chunk.chunk == k
         back[shape.span(k)] = chunk.values
         error = np.abs(chunk.values - state[shape.span(k), :axes]).max()
+        assert error == written.error[k]
         assert error <= shape.rounding(np.abs(state[shape.span(k)]).max())
         seen += len(chunk.values)
     assert seen == rows
-    assert np.array_equal(back, state[:, :axes].astype(shape.dtype))
+    assert np.array_equal(back, written.state[:, :axes])
+    assert encoding != "float64" or np.array_equal(back, state[:, :axes])
+    assert not written.state[:, axes:].any()
 
 
 @pytest.mark.parametrize("encoding", ENCODINGS)
@@ -74,6 +78,21 @@ def test_the_rounding_bound_is_reached_and_holds_down_to_nothing(encoding: str):
         assert error <= bound
         worst = max(worst, error / bound) if bound else worst
     assert encoding == "float64" or worst > 0.9
+
+
+def test_reduced_coordinates_report_what_they_leave_out():
+    rng = np.random.default_rng(1)
+    basis = np.linalg.qr(rng.normal(size=(300, 20)))[0]
+    shape = layout(300, 3, encoding="float32", basis=basis)
+    codec, state = SampleCodec(shape), state_of(shape, 2)
+    written = codec.write(state)
+    assert len(written.bodies) == shape.chunks == 1
+    chunk = read(codec, codec.datagram(heading(), 0, written.bodies[0]))
+    out = np.zeros_like(state)
+    shape.expand(chunk.values, out)
+    assert np.array_equal(out, written.state)
+    assert written.error[0] == np.abs(out - state).max() > 0.01
+    assert np.allclose(out[:, :3], basis @ (basis.T @ state[:, :3]), atol=1e-6)
 
 
 @pytest.mark.parametrize("encoding", ENCODINGS)
@@ -174,7 +193,7 @@ def test_padding_never_travels():
     codec = SampleCodec(layout(4, 3))
     state = state_of(codec.layout, 0)
     state[:, 3] = math.nan
-    assert isinstance(codec.write(state), list)
+    assert isinstance(codec.write(state).bodies, list)
 
 
 def test_another_coding_is_refused():
@@ -191,6 +210,9 @@ def test_another_coding_is_refused():
         ({"limit": 0.0}, "limit is 0.0"),
         ({"limit": math.nan}, "limit is nan"),
         ({"encoding": "float16", "limit": 1e5}, "limit is 100000.0"),
+        ({"basis": np.ones((3, 1))}, "basis has the shape"),
+        ({"basis": np.ones((4, 2))}, "independent columns"),
+        ({"rows": 900, "basis": np.eye(900)[:, :200]}, "200 coordinates; 44 fit"),
     ],
 )
 def test_a_layout_that_cannot_be_is_named(options: dict[str, object], message: str):

@@ -19,6 +19,7 @@ from cotouch.samples import (
     Refusal,
     SampleLink,
     SamplePlane,
+    Written,
 )
 
 T = 0.002
@@ -231,16 +232,21 @@ def test_a_neighbour_that_left_is_not_heard():
     users[1].disconnect(0)
 
 
-def test_what_no_receiver_would_take_is_not_sent_and_said_until_something_is():
+def test_what_is_sent_is_reported_with_its_error():
     _, users = planes(PathLaw(), layout(4, 3, encoding="float16"), rate=500.0)
-    plane = users[0]
-    good = Sample(sender=0, index=0, stamp=0.0, position=state_of(plane.layout, 1))
+    state = state_of(users[0].layout, 1)
+    sample = Sample(sender=0, index=0, stamp=0.0, position=state)
+    written = users[0].send(0.0, sample, T)
+    assert isinstance(written, Written)
+    assert 0.0 < np.abs(written.state - state).max() == written.error[0] <= users[0].layout.rounding(0.1)
+    assert users[0].send(0.0, sample, T) is None
     bad = Sample(sender=0, index=1, stamp=0.0, position=np.full((4, 4), np.nan))
-    said: list[tuple[bool, int, int]] = []
-    for now, sample in ((0.0, good), (0.0, bad), (1.0, bad), (1.0, good), (2.0, good)):  # each other one: no turn
-        plane.send(now, sample, T)
-        said.append((plane.unsent, plane.refused[Refusal.STATE], plane.links[1].seal.sealed))
-    assert said == [(False, 0, 1), (False, 0, 1), (True, 1, 1), (True, 1, 1), (False, 1, 2)]
+    assert not users[0].unsent
+    assert users[0].send(1.0, bad, T) is Refusal.STATE
+    assert users[0].send(1.0, sample, T) is None
+    assert users[0].unsent
+    assert isinstance(users[0].send(2.0, sample, T), Written)
+    assert not users[0].unsent
 
 
 def test_new_keys_are_asked_for_in_time():

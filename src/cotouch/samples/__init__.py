@@ -5,7 +5,7 @@ from cotouch.samples._ages import AgeWindow, LinkAges
 from cotouch.samples._agreement import Agreement
 from cotouch.samples._assembly import Assembly
 from cotouch.samples._budget import MOST_AGE, BudgetAgreement
-from cotouch.samples._chunk import Chunk, Coded, Heading, Refusal
+from cotouch.samples._chunk import Chunk, Coded, Heading, Refusal, Written
 from cotouch.samples._codec import SampleCodec
 from cotouch.samples._coded import CodedLink
 from cotouch.samples._emulated_path import EmulatedPath, PathLaw
@@ -65,6 +65,7 @@ __all__ = [
     "Transport",
     "Trend",
     "UdpTransport",
+    "Written",
     "connection_of",
     "flaw",
     "numeric",

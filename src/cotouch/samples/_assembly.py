@@ -36,6 +36,7 @@ class Assembly:
             initial: stands for what has not arrived yet, (rows, width).
             stamp: of it [s].
         """
+        self._layout = layout
         self.sender = sender
         self.state = np.array(initial, dtype=np.float64)
         self.stamps = [stamp] * layout.chunks
@@ -48,7 +49,8 @@ class Assembly:
             self.message = self._fields.reshape(layout.fields, layout.rows * layout.width), np.zeros(layout.scalars)
         self._content: int | None = None
         self._whole = False
-        spans = [layout.span(chunk) for chunk in range(layout.chunks)]  # where each goes
+        # Where each chunk goes; none with a basis, which spreads every number over all rows.
+        spans = [] if layout.basis is not None else [layout.span(chunk) for chunk in range(layout.chunks)]
         self._parts = [self.state[span, : layout.axes] for span in spans]
         self._told = [] if self._fields is None else [self._fields[:, span, : layout.axes] for span in spans]
         self._chosen: Sample | None = None
@@ -91,7 +93,10 @@ class Assembly:
             return Refusal.STALE
         if held >= 0 and stamp <= self.stamps[at]:
             return Refusal.BACKWARDS
-        self._parts[at][...] = chunk.values
+        if self._parts:
+            self._parts[at][...] = chunk.values
+        else:
+            self._layout.expand(chunk.values, self.state)
         if self.message is not None:
             assert chunk.fields is not None and chunk.scalars is not None  # noqa: PT018
             self._told[at][...] = chunk.fields

@@ -85,6 +85,20 @@ class Coded(NamedTuple):
     data: bytes
 
 
+class Written(NamedTuple):
+    """A state as it is on the wire, the same for every neighbour.
+
+    Attributes:
+        bodies: of each chunk.
+        state: what the receivers will see, (rows, width).
+        error: greatest |state - x̂| of each chunk; of the only chunk over all rows where a basis is used.
+    """
+
+    bodies: list[bytes]
+    state: Float
+    error: Float
+
+
 @final
 class Refusal(Enum):
     """Reasons to refuse a datagram, in the order in which they are checked."""

@@ -29,7 +29,7 @@ import numpy.typing as npt
 
 from cotouch.arrays import Float
 from cotouch.peer import FULL, ROUNDED, LinkHeader, LinkState, Message, Sample
-from cotouch.samples._chunk import AGED, BRIEF, ECHO, RENEW, Chunk, Coded, Heading, Refusal
+from cotouch.samples._chunk import AGED, BRIEF, ECHO, RENEW, Chunk, Coded, Heading, Refusal, Written
 from cotouch.samples._layout import ENCODINGS, HEAD_BYTES, Layout
 
 VERSION = 5
@@ -63,6 +63,7 @@ class SampleCodec:
         self._wire = layout.dtype
         self._item = layout.dtype.itemsize * layout.axes
         self._spans = [layout.span(chunk) for chunk in range(layout.chunks)]
+        self._starts = np.array([span.start for span in self._spans])
         self._places: list[tuple[int, int]] = [(span.start, span.stop - span.start) for span in self._spans]
         self._head = HEAD_BYTES + 8 * layout.scalars
         self._says = bool(layout.fields or layout.scalars)
@@ -83,22 +84,27 @@ class SampleCodec:
         limit = np.array(layout.limit, dtype=self._wire)
         self._limit, self._most = int(limit.view(self._bits)), float(limit)
 
-    def write(self, state: Float) -> list[bytes] | Refusal:
-        """Puts a state into numbers of the wire, the same for every neighbour, a piece for each chunk.
-
-        It is refused if no receiver would take it.
+    def write(self, state: Float) -> Written | Refusal:
+        """Puts a state into numbers of the wire; refused if no receiver would take them.
 
         Args:
             state: (rows, width).
         """
-        layout, exact = self.layout, state[:, : self._axes]
+        layout = self.layout
+        exact = layout.reduce(state)
         if layout.encoding != "float64" and not float(np.abs(exact).max()) <= layout.limit:  # would not even round
             return Refusal.STATE
         wire = np.ascontiguousarray(exact, dtype=self._wire)
         if not self._within(wire.reshape(-1)):
             return Refusal.STATE
         raw, item = wire.tobytes(), self._item
-        return [raw[span.start * item : span.stop * item] for span in self._spans]
+        bodies = [raw[span.start * item : span.stop * item] for span in self._spans]
+        if layout.encoding == "float64" and layout.basis is None:
+            return Written(bodies, state, np.zeros(len(bodies)))
+        seen = np.zeros_like(state)
+        layout.expand(wire.astype(np.float64), seen)
+        error = np.abs(seen - state)[:, : layout.axes].max(axis=1)
+        return Written(bodies, seen, np.maximum.reduceat(error, self._starts))
 
     def told(self, message: Message | None) -> list[tuple[bytes, bytes]] | Refusal:
         """What a link's law tells a neighbour, for each chunk: numbers before the state's, and fields after them.

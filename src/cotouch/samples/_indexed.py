@@ -101,7 +101,10 @@ class IndexedAssembly:
                 del self._parts[min(self._parts)]
         if chunk.chunk not in entry.missing:
             return Refusal.STALE
-        entry.state[layout.span(chunk.chunk), : layout.axes] = chunk.values
+        if layout.basis is None:
+            entry.state[layout.span(chunk.chunk), : layout.axes] = chunk.values
+        else:
+            layout.expand(chunk.values, entry.state)
         entry.missing.discard(chunk.chunk)
         entry.stamp = min(entry.stamp, heading.stamp)
         entry.header = heading.header if entry.header is None else min(entry.header, heading.header)

@@ -10,7 +10,7 @@ from cotouch.errors import SessionError
 from cotouch.peer import MOST_AHEAD, LawLink, LinkGuard, Sample
 from cotouch.samples._ages import LinkAges
 from cotouch.samples._assembly import Assembly
-from cotouch.samples._chunk import AGED, BRIEF, ECHO, RENEW, Chunk, Coded, Heading, Refusal
+from cotouch.samples._chunk import AGED, BRIEF, ECHO, RENEW, Chunk, Coded, Heading, Refusal, Written
 from cotouch.samples._codec import SampleCodec
 from cotouch.samples._coded import CodedLink
 from cotouch.samples._indexed import IndexedAssembly
@@ -251,7 +251,7 @@ class SamplePlane:
             if link.assembly.complete:
                 link.ages.used(now, link.assembly.oldest)
 
-    def send(self, now: float, sample: Sample, T: float, mean: Float | None = None) -> None:
+    def send(self, now: float, sample: Sample, T: float, mean: Float | None = None) -> Written | Refusal | None:
         """Sends a sample to every neighbour whose turn it is.
 
         Args:
@@ -259,6 +259,10 @@ class SamplePlane:
             sample: what the step told.
             T: length of the step [s].
             mean: v̂ of the step, (rows, width); links with a perceptual codec need it [m/s].
+
+        Returns:
+            What was sent, with its rounding error; None if it was nobody's turn; why not, if nobody would take it. A
+            perceptual codec's errors are not in it.
         """
         capacity, chunks, due = self._transport.capacity, self.layout.chunks, list[tuple[int, SampleLink]]()
         for neighbour, link in self.links.items():
@@ -269,21 +273,22 @@ class SamplePlane:
             elif link.coded is not None and mean is not None:
                 link.coded.encoder.skip(sample.stamp, mean, T)
         if not due:
-            return
+            return None
         written = self._codec.write(sample.position)
         self.unsent = isinstance(written, Refusal)
         if isinstance(written, Refusal):
             self.refused[written] += 1
-            return
+            return written
         for neighbour, link in due:
             self._tell(now, neighbour, link, written, link.heading(self.epoch, sample, T, now), sample, mean)
+        return written
 
     def _tell(
         self,
         now: float,
         neighbour: int,
         link: SampleLink,
-        written: list[bytes],
+        written: Written,
         heading: Heading,
         sample: Sample,
         mean: Float | None,
@@ -296,7 +301,7 @@ class SamplePlane:
             link.refused[told] += 1
             return
         if coded is None:
-            datagrams = [codec.datagram(heading, chunk, body, told[chunk]) for chunk, body in enumerate(written)]
+            datagrams = [codec.datagram(heading, chunk, body, told[chunk]) for chunk, body in enumerate(written.bodies)]
         else:
             assert mean is not None
             exact = link.guard is not None and not link.guard.tolerant
