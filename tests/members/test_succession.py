@@ -309,7 +309,7 @@ def test_who_is_sent_away_is_out_and_the_others_take_new_keys() -> None:
     ann, ben, cleo = world.people
     epochs = {(a.name, slot): held.link.seal.epoch for a in (ann, cleo) for slot, held in a.copy.neighbours.items()}
     assert world.host is not None
-    world.host.expel("Ben")
+    world.host.coordinator.expel("Ben")
     with pytest.raises(SessionError, match="the host expelled Ben"):
         world.run(1.0)
     world.people.remove(ben)

@@ -275,8 +275,9 @@ class QuietHost:
         self.host = SimpleNamespace(
             watch=SimpleNamespace(events=[], roster=Roster(), members={}, left=False, ended=False),
             roster=Roster(),
-            choose=lambda links: None,
-            expel=lambda name, ban: self.expelled.append((name, ban)),
+            coordinator=SimpleNamespace(
+                choose=lambda links: None, expel=lambda name, ban: self.expelled.append((name, ban))
+            ),
         )
         self.invitation = SimpleNamespace(encode=lambda: "invitation")
 

@@ -32,6 +32,7 @@ from cotouch.members import (
 from cotouch.observers import CommandClient, MailboxFolder, TelemetryPublisher
 from cotouch.peer import StepReport
 from cotouch.samples import Identity, ImpairedTransport, PathLaw, Transport
+from cotouch.traversal import PathState
 
 _SERVICE = 0.02
 
@@ -59,32 +60,32 @@ class MemoryPaths:
             directory: address of each member by its public key.
             path: time there and back to an address [s].
         """
-        self.transport = transport
+        self._transport = transport
         self._directory = directory
         self._path = path
         self._at: dict[int, str] = {}
 
-    def introduce(self, slot: int, key: bytes) -> None:
+    def introduce(self, neighbour: int, member: bytes) -> None:
         """Follows it to its address.
 
         Args:
-            slot: the user's.
-            key: public key of its member.
+            neighbour: the user's slot.
+            member: public key of its member.
         """
-        self._at[slot] = self._directory[key]
-        self.transport.follow(slot, self._at[slot])
+        self._at[neighbour] = self._directory[member]
+        self._transport.follow(neighbour, self._at[neighbour])
 
-    def round_trip(self, slot: int) -> float | None:
+    def round_trip(self, neighbour: int) -> float | None:
         """As it was told."""
-        return self._path(self._at[slot]) if slot in self._at else None
+        return self._path(self._at[neighbour]) if neighbour in self._at else None
 
     def take(self, message: SignedMessage) -> bool:
         """Nothing is said about ways."""
         return False
 
-    def path_state(self, slot: int) -> str:
+    def path_state(self, neighbour: int) -> PathState:
         """Always direct."""
-        return "direct"
+        return PathState.DIRECT
 
 
 @final
@@ -170,6 +171,7 @@ class Person:
             replica=world.replica,
             control=self.control,
             paths=self.paths,
+            transport=carrier,
             host=world.host_identity.public,
             name=name,
             version="test",

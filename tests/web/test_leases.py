@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from tests.web.fake_session_api import FakeSessionApi, Kind
-from tests.web.inside import MOST_PAGES, VERSION, Access, Do, Hub, Page, PointerMessage, held_tools
+from tests.web.inside import MOST_PAGES, VERSION, Access, Do, Hub, Page, PointerMessage, held_tools, read_binary
 from tests.web.reader import pointer
 
 from cotouch.errors import PageError
@@ -79,7 +79,9 @@ class Room:
     def point(self, page: Page, action: int, point: int = 0) -> None:
         self.number += 1
         self.hub.received(page)
-        self.hub.pointed(page, PointerMessage(pointer(self.number, slot=page.slot or 0, action=action, point=point)))
+        message = read_binary(pointer(self.number, slot=page.slot or 0, action=action, point=point))
+        assert isinstance(message, PointerMessage)
+        self.hub.pointed(page, message)
 
     def held(self) -> bool:
         """Whether a pointer holds the body now, as the stage was told last."""

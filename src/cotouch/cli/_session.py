@@ -61,7 +61,9 @@ def host(
 
     session = SessionFile.read(file, law=law)
     with stop_signals() as stopped, open_host(session, listen=listen, port=port, key_file=key_file) as opened:
-        while opened.host.admission.fingerprint is None and not stopped():  # nobody is invited to a body that is wrong
+        while (
+            opened.host.coordinator.admission.fingerprint is None and not stopped()
+        ):  # nobody is invited to a body that is wrong
             opened.service(time.monotonic())
             time.sleep(_POLL)
         line = opened.invitation.encode()

@@ -173,7 +173,7 @@ class ZenohControl:
         """From now on nothing of these members is taken or handed on, and of nobody else."""
         self._shunned = members
         if self._forwarder is not None:
-            self._forwarder.shunned = frozenset(member.hex() for member in members)
+            self._forwarder.shunned = members
 
     def offer(self, content: bytes) -> bytes:
         """Keeps a file for others to fetch; returns its SHA-256.

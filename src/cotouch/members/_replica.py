@@ -20,7 +20,7 @@ from cotouch.members._step_recorder import StepRecorder
 from cotouch.members._totals import Totals
 from cotouch.network import link_damping
 from cotouch.peer import Peer, StepReport, without_debris
-from cotouch.samples import Entropy, IndexedAssembly, SamplePlane
+from cotouch.samples import Entropy, IndexedAssembly, SamplePlane, Transport
 from cotouch.scenario import per_user
 
 # A peer waits for its neighbours so long at most: one may have gone, or never mean to go on [s].
@@ -52,6 +52,7 @@ class Replica:
         hand: Callable[[int, Model], Hand],
         control: ControlPlane,
         paths: Paths,
+        transport: Transport,
         entropy: Entropy,
         secret: bytes,
         recorder: StepRecorder | None,
@@ -65,7 +66,7 @@ class Replica:
         self._hand: Hand | None = None
         self._recorder = recorder
         self._law = replica.law
-        self._plane = SamplePlane(paths.transport, replica.layout, user=slot)
+        self._plane = SamplePlane(transport, replica.layout, user=slot)
         self._links = Neighbours(
             session=session,
             replica=replica,

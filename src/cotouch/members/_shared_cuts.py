@@ -12,8 +12,6 @@ import hashlib
 from typing import Annotated, final
 
 import numpy as np
-from cryptography.exceptions import InvalidSignature
-from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PublicKey
 from pydantic import StringConstraints
 
 from cotouch.arrays import Bool, Int
@@ -21,6 +19,7 @@ from cotouch.control import ControlPlane
 from cotouch.members._messages import Key, Roster, Signature, Slot, read_message, write_message
 from cotouch.members._shared_model import SharedModel
 from cotouch.peer import CutSet, Peer
+from cotouch.samples import signed_by
 from cotouch.scenario import Table
 
 TOPIC = "link.cuts"
@@ -233,12 +232,8 @@ class SharedCuts:
         return write_message(Statement(author=author, slot=self._slot, elements=elements, signature=signature))
 
     def _genuine(self, said: Statement) -> bool:
-        try:
-            key = Ed25519PublicKey.from_public_bytes(bytes.fromhex(said.author))
-            key.verify(bytes.fromhex(said.signature), self._about(said.author, said.slot, said.elements))
-        except (InvalidSignature, ValueError):
-            return False
-        return True
+        about = self._about(said.author, said.slot, said.elements)
+        return signed_by(bytes.fromhex(said.author), bytes.fromhex(said.signature), about)
 
 
 def digest_of(by: Int) -> str:

@@ -323,7 +323,7 @@ class DemoSessionApi(SteeredMembers):
         """Of whoever was started here only the place is freed, so that it can come back; others are sent away."""
         name = self._name_of(slot)
         elsewhere = slot not in self._alive(self.opened.host.roster)
-        self.opened.host.expel(name, ban=elsewhere)
+        self.opened.host.coordinator.expel(name, ban=elsewhere)
         if name in self.members and name not in self._killed:
             self._end(name)
         self.acted = True
@@ -340,7 +340,7 @@ class DemoSessionApi(SteeredMembers):
     def _link(self, command: ChooseLinks) -> str:
         links = _requests.links_of(command, self._choices, len(self._names))
         try:
-            self.opened.host.choose(links)
+            self.opened.host.coordinator.choose(links)
         except NetworkError as error:
             raise SessionError(str(error)) from error
         self.acted = True
