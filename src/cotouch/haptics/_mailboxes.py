@@ -5,7 +5,7 @@ from itertools import islice
 from math import inf
 from pathlib import Path
 from struct import Struct
-from typing import Any, Final, final
+from typing import Any, Final, TypeAlias, final
 
 from cotouch.arrays import Array
 from cotouch.coupling import EnergyMessage
@@ -16,6 +16,9 @@ from cotouch.haptics._ends import EndOptions
 from cotouch.haptics._quaternions import Quaternion
 from cotouch.haptics._safety import ZERO, Cause, Vector
 from cotouch.mailbox import MailboxReader, MailboxWriter
+
+# Values as they come out of a record, the next first.
+_Said: TypeAlias = Iterator[Any]
 
 REPORT: Final = "report"
 ORDER: Final = "order"
@@ -147,7 +150,7 @@ class ReportReader(_Reader):
         got = self._newest()
         if got is None:
             return None
-        said: Iterator[Any] = iter(_REPORT.unpack(got[_RECORD].data))
+        said: _Said = iter(_REPORT.unpack(got[_RECORD].data))
         return ServoReport(
             time=next(said),
             tick=next(said),
@@ -182,7 +185,7 @@ class OrderReader(_Reader):
         got = self._newest()
         if got is None:
             return None
-        said: Iterator[Any] = iter(_ORDER.unpack(got[_RECORD].data))
+        said: _Said = iter(_ORDER.unpack(got[_RECORD].data))
         followed, coupled, turns = islice(said, 3)
         place, options, turning = _vector(said), _options(said), _options(said)
         return Order(
@@ -223,24 +226,24 @@ class Watched(_Reader):
 
 
 def _told(options: EndOptions | None) -> tuple[object, ...]:
-    told: Any = options or EndOptions()
-    return told._replace(law=told.law.encode())
+    return tuple(field.encode() if isinstance(field, str) else field for field in options or EndOptions())
 
 
-def _options(said: Iterator[Any]) -> EndOptions:
-    options = EndOptions(*islice(said, len(EndOptions._fields)))
-    law: Any = options.law
-    return options._replace(law=law.rstrip(b"\0").decode(errors="replace"))
+def _options(said: _Said) -> EndOptions:
+    fields = islice(said, len(EndOptions._fields))
+    return EndOptions(
+        *(field.rstrip(b"\0").decode(errors="replace") if isinstance(field, bytes) else field for field in fields)
+    )
 
 
-def _message(said: Iterator[Any]) -> EnergyMessage:
+def _message(said: _Said) -> EnergyMessage:
     return EnergyMessage(*islice(said, len(EnergyMessage._fields)))
 
 
-def _turned(said: Iterator[Any]) -> Quaternion | None:
+def _turned(said: _Said) -> Quaternion | None:
     x, y, z, w = islice(said, 4)
     return (x, y, z, w) if any((x, y, z, w)) else None
 
 
-def _vector(said: Iterator[Any]) -> Vector:
+def _vector(said: _Said) -> Vector:
     return next(said), next(said), next(said)

@@ -106,9 +106,7 @@ class Member:
         self._belief = Belief(host, network=session.scenario.network, own=own, start=start)
         self.replica: Replica | None = None
         self.ended = False
-        self._session = session
-        self._replica = replica
-        self._control = control
+        self._session, self._replica, self._control = session, replica, control
         self._paths, self._transport = paths, transport
         self._host = host
         law = signature_of(session.scenario)

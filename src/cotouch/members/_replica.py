@@ -62,9 +62,8 @@ class Replica:
         self.peer: Peer | None = None
         self.totals = Totals()
         self._session, self._options, self._replica = session, session.options, replica
-        self._make_hand = hand
+        self._make_hand, self._recorder = hand, recorder
         self._hand: Hand | None = None
-        self._recorder = recorder
         self._law = replica.law
         self._plane = SamplePlane(transport, replica.layout, user=slot)
         self._links = Neighbours(

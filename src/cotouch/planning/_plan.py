@@ -387,8 +387,7 @@ def _bound(search: _Search, top: int) -> bool:
     ranked = sorted(search.kept.values())
     ceiling = ranked[top - 1] * (1.0 + 1e-9) if len(ranked) >= top else np.inf
     dive = dive_into(search.problem, top)
-    graphs, looked = search.graphs, search.looked
-    over = False
+    graphs, looked, over = search.graphs, search.looked, False
     while not over:
         over = descend(search.problem.task, dive, ceiling, SLICE, False)
         check()
