@@ -27,7 +27,6 @@ LEFT = {
     "members/test_attack.py": 8,
     "members/test_coordinator.py": 1,
     "members/test_live_law.py": 4,
-    "members/test_member.py": 3,
     "members/test_succession.py": 1,
     "peer/test_guard.py": 4,
     "peer/test_peer.py": 2,
