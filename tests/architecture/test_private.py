@@ -28,7 +28,7 @@ LEFT = {
     "members/test_coordinator.py": 1,
     "members/test_live_law.py": 4,
     "members/test_succession.py": 1,
-    "peer/test_guard.py": 4,
+    "peer/test_guard.py": 2,
     "peer/test_peer.py": 2,
     "planning/test_local.py": 6,
     "recording/test_recorder.py": 4,
