@@ -31,7 +31,6 @@ LEFT = {
     "peer/test_guard.py": 2,
     "peer/test_peer.py": 2,
     "planning/test_local.py": 6,
-    "recording/test_recorder.py": 4,
     "samples/test_agreement_states.py": 7,
     "samples/test_coded.py": 1,
     "session/test_cuts.py": 1,
