@@ -1,5 +1,6 @@
 import tomllib
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -490,10 +491,25 @@ def test_samples_are_read_between_steps_and_used_in_the_next() -> None:
 
 
 def test_links_are_tended_in_turns_where_they_are_many() -> None:
-    copy = three().people[0].copy
+    world = three()
+    copy, seen = world.people[0].copy, list[int]()
+
+    class Keys:
+        """Notes whose turn it is."""
+
+        def __init__(self, slot: int) -> None:
+            self.slot = slot
+
+        def service(self, now: float, *, asked: bool) -> None:
+            del now, asked
+            seen.append(self.slot)
+
     one = next(iter(copy.neighbours.values()))
-    copy._links.by_slot = {slot: replace(one, guarded=slot) for slot in range(1, 21)}
-    seen = [neighbour.guarded for _ in range(5) for _, neighbour in copy._links._turns()]
+    many: Any = {slot: replace(one, connected=False, keys=Keys(slot)) for slot in range(1, 21)}  # type: ignore[arg-type]
+    copy.neighbours.clear()
+    copy.neighbours.update(many)
+    for _ in range(5):
+        copy.service(world.now)
     assert len(seen) == 40
     assert sorted(seen) == sorted([*range(1, 21)] * 2)
 
