@@ -230,10 +230,8 @@ def _told(options: EndOptions | None) -> tuple[object, ...]:
 
 
 def _options(said: _Said) -> EndOptions:
-    fields = islice(said, len(EndOptions._fields))
-    return EndOptions(
-        *(field.rstrip(b"\0").decode(errors="replace") if isinstance(field, bytes) else field for field in fields)
-    )
+    told = dict(zip(EndOptions._fields, said, strict=False))  # more follows
+    return EndOptions(**told | {"law": told["law"].rstrip(b"\0").decode(errors="replace")})
 
 
 def _message(said: _Said) -> EnergyMessage:
