@@ -61,7 +61,6 @@ class Inverse3:
         events: str | None = EVENTS,
         limit: float = LIMIT,
         grip: str | None = None,
-        middle: tuple[float, float, float] = MIDDLE,
     ) -> None:
         """Connects to nothing yet.
 
@@ -71,7 +70,6 @@ class Inverse3:
             events: of its events, by which it says that a safety function was triggered; None: do without.
             limit: within which it must answer, 0.005 to 0.08 [s].
             grip: `device_id` of the handle; None: the one that belongs to the device, if that can be told.
-            middle: of the workspace, in the service's axes [m].
 
         Raises:
             DeviceError: the limit is out of range.
@@ -80,7 +78,7 @@ class Inverse3:
             raise DeviceError(f"the time limit of an answer is {limit:g} s; it must be from {_LATE:g} to 0.08 s")
         self._wanted, self._url, self._events_url, self._limit = identity, url, events, limit
         self._wanted_grip = grip
-        self._middle = HAPLY_FRAME.place(middle)
+        self._middle = HAPLY_FRAME.place(MIDDLE)
         self._spec = replace(PRESETS["inverse3"], force=_FORCE)
         self._socket: WebSocket | None = None
         self._events: WebSocket | None = None
