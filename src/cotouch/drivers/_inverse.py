@@ -15,7 +15,7 @@ from cotouch.device import PRESETS, DeviceSpec
 from cotouch.drivers._inverse_aside import SERVICE, WHAT, halt, holders
 from cotouch.drivers._inverse_frame import Grip, InverseState, choose, grip_of, read_event, read_frame, read_state
 from cotouch.drivers._inverse_session import asking, command, deviations, greeting, plea
-from cotouch.drivers._watch import SampleWatch
+from cotouch.drivers._watch import SampleWatch, failed
 from cotouch.drivers._websocket import WebSocket
 from cotouch.errors import DeviceError, TransportError
 from cotouch.haptics import HAPLY_FRAME, DeviceReading, Flag
@@ -138,8 +138,9 @@ class Inverse3:
         if not self._calibrated:
             self.exchange(np.zeros(3))
         if not self._calibrated:
-            raise self._fault(
-                f"the Inverse3 {self._identity} is not calibrated; place its arm as Haply Hub shows, and open it again"
+            raise failed(
+                self,
+                f"the Inverse3 {self._identity} is not calibrated; place its arm as Haply Hub shows, and open it again",
             )
 
     def enable_force(self, on: bool = True) -> None:
@@ -154,7 +155,7 @@ class Inverse3:
         """See `Device.exchange`."""
         link = self._opened()
         if not np.isfinite(force).all():
-            raise self._fault("the Inverse3 was given a force that is not finite")
+            raise failed(self, "the Inverse3 was given a force that is not finite")
         try:
             if self._owed == 0:
                 self._send(link, force)
@@ -173,9 +174,9 @@ class Inverse3:
             self._look(state)
             self._listen()
         except TransportError as lost:
-            raise self._fault(f"the connection to the Inverse Service is gone: {lost}") from None
+            raise failed(self, f"the connection to the Inverse Service is gone: {lost}") from None
         except DeviceError as error:
-            raise self._fault(str(error)) from None
+            raise failed(self, str(error)) from None
         self._check_status(opening=False)
         return self._read(0.5 * (self._asked + now))
 
@@ -318,8 +319,9 @@ class Inverse3:
         status = self._status
         for name, meaning in (("power_supply", "has no power"), ("ready", "is not ready")):
             if status.get(name) is False:
-                raise self._fault(
-                    f"the Inverse3 {self._identity} {meaning}; " + ("check Haply Hub" if opening else "force is off")
+                raise failed(
+                    self,
+                    f"the Inverse3 {self._identity} {meaning}; " + ("check Haply Hub" if opening else "force is off"),
                 )
 
     def _listen(self) -> None:
@@ -331,8 +333,8 @@ class Inverse3:
     def _waiting(self) -> DeviceReading:
         """Nothing came: late, or too late."""
         if time.monotonic() - self._asked >= self._limit:
-            raise self._fault(
-                f"the Inverse Service did not answer within {1e3 * self._limit:.0f} ms; is this machine too busy?"
+            raise failed(
+                self, f"the Inverse Service did not answer within {1e3 * self._limit:.0f} ms; is this machine too busy?"
             )
         self._listen()
         last = self._reading
@@ -346,7 +348,7 @@ class Inverse3:
         position, velocity = HAPLY_FRAME.place(state.position) - self._middle, HAPLY_FRAME.place(state.velocity)
         why = self._watch.fault(at, position, velocity)
         if why is not None:
-            raise self._fault(f"the Inverse3 {self._identity} {why}")
+            raise failed(self, f"the Inverse3 {self._identity} {why}")
         applied = HAPLY_FRAME.direction(state.force)
         flags = Flag(0)
         flags |= Flag.CALIBRATED if self._calibrated else flags
@@ -363,11 +365,6 @@ class Inverse3:
             orientation=None if state.orientation is None else HAPLY_FRAME.orientation(state.orientation),
         )
         return self._reading
-
-    def _fault(self, why: str) -> DeviceError:
-        """Takes the force away, and says why."""
-        self.stop()
-        return DeviceError(why)
 
 
 def _near(applied: Float, commanded: Float) -> bool:
