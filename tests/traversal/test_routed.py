@@ -467,9 +467,6 @@ def test_where_this_member_may_be_reached_is_looked_up_when_it_listens_everywher
     lambda alone: alone[2].introduce(1, b"short"),
     lambda alone: alone[2].introduce(1, identities(1)[0].public),
     lambda alone: alone[2].look([("example.org", 7000)]),
-    lambda alone: RoutedTransport(
-        alone[3], alone[1].join(identities(2)[1]), session=b"", secret=b"", entropy=entropy(1), relay_rate=0.0
-    ),
 ])  # fmt: skip
 def test_what_cannot_be_is_refused(alone, make):
     with pytest.raises(SessionError):

@@ -166,7 +166,7 @@ class SessionFile:
             folder: where files are looked for; None: none is read.
             law: of the links, instead of the text's; None: the text's.
         """
-        tables = _parsed(text, source)
+        tables = toml(text, source, SessionError)
         if law is not None:
             check_live(law, "--law")
             _take_law(tables, law)
@@ -215,7 +215,7 @@ class SessionFile:
         described = _described(content)
         for name in described.files:
             (folder / name).write_bytes(files[name])
-        tables = _parsed(described.text, "the session")
+        tables = toml(described.text, "the session", SessionError)
         if described.law is not None:
             _take_law(tables, described.law)
         for table, file in tables_with_file(tables, pictures=False):
@@ -288,10 +288,6 @@ def _digest(name: str, said: object) -> bytes:
     if len(found) != 32 or name != PurePosixPath(name).name or name in {"", ".", ".."} or "\\" in name:
         raise ValueError(name)
     return found
-
-
-def _parsed(text: str, source: str) -> dict[str, object]:
-    return toml(text, source, SessionError)
 
 
 def _take_law(tables: dict[str, object], law: str) -> None:

@@ -9,7 +9,7 @@ from pydantic import Field, ValidationError
 
 from cotouch.errors import PageError
 from cotouch.files import table_of
-from cotouch.observers import HAND_MODES, Command, HandMode, Pointer, read_command
+from cotouch.observers import Command, HandMode, Pointer, read_command
 from cotouch.scenario import Table
 
 VERSION: Final = 3
@@ -186,8 +186,3 @@ def read_text(message: str) -> Hello | Do:
 
 def _refuse(constant: str) -> float:
     raise PageError(f"a text message holds {constant}, which is no number of JSON")
-
-
-def mode_index(mode: HandMode) -> int:
-    """Its number in frames."""
-    return HAND_MODES.index(mode)

@@ -27,10 +27,6 @@ class Verdict:
     level: Literal["good", "warn", "bad"]
     text: str
 
-    def as_json(self) -> dict[str, object]:
-        """As JSON's values."""
-        return {"level": self.level, "text": self.text}
-
 
 def judged(overview: Overview) -> Verdict:
     """Judges a session by members' last reports: their ledger, their damping, and the ages that it covers.
