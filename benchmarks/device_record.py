@@ -18,6 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from benchmarks._report import Row, add_write, finish
+from cotouch.coupling import EnergyMessage, unseen_place
 from cotouch.device import (
     PRESETS,
     CartesianPlant,
@@ -45,7 +46,6 @@ from cotouch.haptics import (
     virtual_limit,
 )
 from cotouch.haptics._ends import WINDOW
-from cotouch.mechanics import EnergyMessage, unseen_place
 from cotouch.members import SessionFile, SharedModel, Slot
 from cotouch.peer import FreshestLink, Peer, Sample
 

@@ -14,7 +14,7 @@ PACKAGE = Path(__file__).parents[1] / "src" / "cotouch"
 # What a user calls comes first; kernels come last.
 ORDER = ("scenario", "simulation", "network", "planning", "body", "peer", "session", "members", "hands", "observers",
          "samples", "control", "traversal", "recording", "haptics", "device", "interaction", "drivers", "web", "study",
-         "pacing", "files", "mechanics")  # fmt: skip
+         "pacing", "files", "coupling", "mechanics", "kernels")  # fmt: skip
 INTERNAL = {"cli", "meshfile"}
 RESULTS = "benchmarks/RESULTS.md"
 FORMULA = re.compile(r"^```math\n(.*?)^```|\$`(.+?)`\$", re.MULTILINE | re.DOTALL)

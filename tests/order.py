@@ -49,9 +49,11 @@ TIMED = (*ALONE, *PATIENT)
 # What only computes: it needs nothing on time, so it runs beside what needs much.
 _ROOMS = (
     "body",
+    "coupling",
     "device",
     "drawing",
     "interaction",
+    "kernels",
     "laboratory",
     "laws",
     "mechanics",
@@ -140,7 +142,7 @@ COMPUTING = (
     "session/test_recording.py",
     "device/test_modulation.py",
     "web/test_screen.py",
-    "mechanics/test_device_coupling.py",
+    "coupling/test_law.py",
     "mechanics/test_cutting.py",
     "planning/test_springs.py",
     "cli/test_recording_commands.py",

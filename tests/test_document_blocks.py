@@ -24,10 +24,11 @@ from tests.web.fake_session_api import FakeSessionApi
 
 from cotouch.body import solid_laws
 from cotouch.cli import app
+from cotouch.coupling import device_couplings
 from cotouch.haptics import Driver, driver
 from cotouch.laboratory import Study
 from cotouch.laws import laws
-from cotouch.mechanics import CONTACT_LAWS, device_couplings
+from cotouch.mechanics import CONTACT_LAWS
 from cotouch.members import SessionFile
 from cotouch.scenario import Scenario
 
@@ -184,7 +185,7 @@ def desk_in(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Generator[None]:
     """An empty folder with the examples beside it, from which modules are imported. What a page adds goes again."""
     contacts, forces, modules = dict(CONTACT_LAWS), dict(LAWS), dict(sys.modules)
     (folder / "examples").symlink_to(ROOT / "examples")
-    monkeypatch.setattr("cotouch.mechanics._coupling_law._KNOWN", device_couplings())
+    monkeypatch.setattr("cotouch.coupling._law._KNOWN", device_couplings())
     monkeypatch.setattr("cotouch.laws._law._KNOWN", laws())
     monkeypatch.setattr("cotouch.body._material._SOLIDS", dict.fromkeys(solid_laws(), 0.0))
     monkeypatch.chdir(folder)

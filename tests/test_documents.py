@@ -150,7 +150,9 @@ def test_every_decision_names_its_test(page: Path):
 
 
 def test_every_note_is_listed():
-    listed = {(ROOT / link).resolve() for link in LINK.findall(prose(ROOT / "ARCHITECTURE.md"))}
+    """On the map, or in the note of its room."""
+    lists = [ROOT / "ARCHITECTURE.md", *PACKAGE.glob("*/DESIGN.md")]
+    listed = {(page.parent / link).resolve() for page in lists for link in LINK.findall(prose(page))}
     assert set(NOTES) <= listed
 
 

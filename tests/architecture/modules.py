@@ -28,7 +28,9 @@ def room_of(name: str) -> str:
 
 # A test for each room and not for each module: whoever shares the tests collects them all, and loads nothing for it.
 ROOMS = {room: list(names) for room, names in groupby(NAMES, room_of)}
-PACKAGES = [name for name in NAMES if PACKAGE.joinpath(*name.split(".")[1:]).is_dir()]
+PACKAGES = [name for name in NAMES if PACKAGE.joinpath(*name.split(".")[1:]).is_dir() and name.count(".") <= 1]
+# Large rooms keep their files in folders. What these hold is private, whoever lists it.
+FOLDERS = [name for name in NAMES if PACKAGE.joinpath(*name.split(".")[1:]).is_dir() and name.count(".") > 1]
 
 
 def loaded(name: str) -> ModuleType:

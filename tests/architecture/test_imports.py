@@ -47,7 +47,7 @@ PURE = [room for room in ROOMS if not room.startswith(WORLDS)]
 
 # Who tests a room from outside with what it does not show: what a liar says, mostly.
 INSIDERS = {
-    "test_compiled.py": {"mechanics"},
+    "test_compiled.py": {"coupling"},
     "test_document_blocks.py": {"mechanics"},
     "mechanics/test_cut_skin.py": {"recording"},
     "planning/test_task.py": {"network"},

@@ -9,7 +9,7 @@ from types import FunctionType
 from typing import get_origin, is_typeddict
 
 import pytest
-from tests.architecture.modules import NAMES, PACKAGES, ROOMS, loaded, parsed
+from tests.architecture.modules import FOLDERS, NAMES, PACKAGES, ROOMS, loaded, parsed
 
 
 def own_classes(name: str) -> list[type]:
@@ -51,7 +51,7 @@ def test_every_exported_name_exists_and_is_documented(name: str):
 def test_nothing_shares_its_name_with_anything_else():
     """What two rooms show under one name is one thing, and no two classes are called the same."""
     shown: dict[str, list[tuple[str, object]]] = {}
-    for room in (name for name in PACKAGES if name.count(".") == 1):
+    for room in (name for name in PACKAGES if name != "cotouch"):
         for exported in loaded(room).__all__:
             shown.setdefault(exported, []).append((room, getattr(loaded(room), exported)))
     assert {name: [room for room, _ in found] for name, found in shown.items() if len(found) > 1} == {}
@@ -60,6 +60,11 @@ def test_nothing_shares_its_name_with_anything_else():
         if not cls.__name__.startswith("_"):
             homes.setdefault(cls.__name__, set()).add(cls.__module__)
     assert {name: found for name, found in homes.items() if len(found) > 1} == {}
+
+
+def test_folders_inside_rooms_show_nothing():
+    """The room does, and the room's files import from each other's, so that each name has one way to it."""
+    assert [name for name in FOLDERS if len(parsed(name).body) != 1] == []
 
 
 @pytest.mark.parametrize("name", PACKAGES)
@@ -75,7 +80,7 @@ def test_every_room_is_a_list_of_names(name: str):
 def test_every_class_is_abstract_or_final(room: str):
     """Errors form a tree and are exempt; so is the plumbing that numba wants subclassed."""
     for cls in (cls for name in ROOMS[room] for cls in own_classes(name)):
-        if issubclass(cls, BaseException) or cls.__module__ == "cotouch.mechanics._vector":
+        if issubclass(cls, BaseException) or cls.__module__ == "cotouch.kernels._vector":
             continue
         final = vars(cls).get("__final__", False) or is_record(cls)
         subclasses = [other for other in all_classes() if cls in other.__bases__]

@@ -6,8 +6,8 @@ import numba
 import numpy as np
 from tests.device.inside import tick
 
+from cotouch.coupling import END, PSPM_COUPLING, EnergyMessage, book_end, end_row, hear, message_of
 from cotouch.device import DEVICE_LEDGER, Devices, DeviceState, advance
-from cotouch.mechanics import END, PSPM_COUPLING, EnergyMessage, book_end, end_row, hear, message_of
 
 Array = np.ndarray
 CHARGED = DEVICE_LEDGER.index("charged")

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 from tests.conftest import IMPORTS
 
+from cotouch.coupling import device_couplings
 from cotouch.device import Coupling, installed_coupling
 from cotouch.errors import DeviceError, ScenarioError
-from cotouch.mechanics import device_couplings
 from cotouch.scenario import Scenario
 
 PAGE = Path(__file__).parents[2] / "docs" / "extending.md"
@@ -36,7 +36,7 @@ def install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Install
         (info / "METADATA").write_text("Metadata-Version: 2.1\nName: my-coupling\nVersion: 1.0\n", encoding="utf-8")
         (info / "entry_points.txt").write_text(f"[cotouch.couplings]\n{name} = {value}\n", encoding="utf-8")
         monkeypatch.syspath_prepend(tmp_path)
-        monkeypatch.setattr("cotouch.mechanics._coupling_law._KNOWN", device_couplings())
+        monkeypatch.setattr("cotouch.coupling._law._KNOWN", device_couplings())
         monkeypatch.delitem(sys.modules, "my_coupling", raising=False)
         return tmp_path
 

@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from tests.device.support import BOOK, Proxy, driven
 from tests.thorough import examples
 
+from cotouch.coupling import END, EnergyMessage, hear, message_of, modulation_bound
 from cotouch.device import (
     CartesianPlant,
     Coupling,
@@ -18,7 +19,6 @@ from cotouch.device import (
     advance,
     assemble,
 )
-from cotouch.mechanics import END, EnergyMessage, hear, message_of, modulation_bound
 
 
 def setup(resolution: float = 0.0, window: float = 0.0, force: float = np.inf, **coupling: float):

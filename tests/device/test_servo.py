@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from tests.device.support import BOOK, run
 
+from cotouch.coupling import END
 from cotouch.device import (
     CartesianPlant,
     Coupling,
@@ -18,7 +19,6 @@ from cotouch.device import (
     rings,
 )
 from cotouch.errors import DeviceError
-from cotouch.mechanics import END
 
 HAND = SimulatedHand(amplitude=(0.02, 0.01, -0.015), frequency=2.0)
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from tests.device.support import BOOK
 
+from cotouch.coupling import virtual_coupling_limit
 from cotouch.device import CartesianPlant, Coupling, DeviceModel, ServoModel, SimulatedHand, advance, assemble
-from cotouch.mechanics import virtual_coupling_limit
 
 
 def couple(

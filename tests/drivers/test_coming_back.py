@@ -10,18 +10,8 @@ from tests.drivers.inside import ForceDimension, Inverse3, Touch
 from tests.drivers.standin import Board, Fault, Service
 from tests.haptics.inside import OrderWriter
 
-from cotouch.haptics import (
-    Cause,
-    Device,
-    DeviceChoice,
-    Flag,
-    Order,
-    Servo,
-    ServoReport,
-    ServoSettings,
-    norm,
-)
-from cotouch.mechanics import EnergyMessage
+from cotouch.coupling import EnergyMessage
+from cotouch.haptics import Cause, Device, DeviceChoice, Flag, Order, Servo, ServoReport, ServoSettings, norm
 
 # Shorter than the 40 ms after which whoever watches takes a servo for dead, longer than any watchdog here [s].
 PAUSE = 0.025

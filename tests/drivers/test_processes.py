@@ -21,9 +21,9 @@ from tests.drivers.standin import Board, Fault, Service
 from tests.haptics.inside import ReportReader
 from tests.stalls import Stalls
 
+from cotouch.coupling import EnergyMessage
 from cotouch.errors import DeviceError
 from cotouch.haptics import Cause, CouplingChoice, DeviceChoice, ProxyEnd, ServoLink
-from cotouch.mechanics import EnergyMessage
 
 FORK = multiprocessing.get_context("fork")
 # A quarter turn away from where a handle begins.

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from cotouch.coupling import EnergyMessage
 from cotouch.device import PRESETS
 from cotouch.haptics import (
     ARM,
@@ -18,7 +19,6 @@ from cotouch.haptics import (
     at_arm,
     simulated_model,
 )
-from cotouch.mechanics import EnergyMessage
 
 
 @dataclass

@@ -4,9 +4,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from cotouch.coupling import EnergyMessage
 from cotouch.device import PRESETS, DeviceSpec
 from cotouch.haptics import Cause, CouplingChoice, EndOptions, Flag, ServoReport
-from cotouch.mechanics import EnergyMessage
 
 
 @dataclass

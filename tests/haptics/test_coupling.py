@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from cotouch.coupling import EnergyMessage, encoder_toll, opening_energy
 from cotouch.device import PRESETS, DeviceSpec
 from cotouch.errors import DeviceError
 from cotouch.haptics import (
@@ -19,7 +20,6 @@ from cotouch.haptics import (
     ServoReport,
     coupling_of,
 )
-from cotouch.mechanics import EnergyMessage, encoder_toll, opening_energy
 
 SPEC = PRESETS["phantom"]
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from tests.haptics.two_ports import Body, check_passive, circumstances, run
 
+from cotouch.coupling import EnergyMessage
 from cotouch.device import PRESETS
 from cotouch.haptics import (
     Cause,
@@ -19,7 +20,6 @@ from cotouch.haptics import (
     norm,
     simulated_model,
 )
-from cotouch.mechanics import EnergyMessage
 
 SPECS = {"phantom": PRESETS["phantom"], "cartesian": PRESETS["phantom"], "touch": PRESETS["touch"]}
 

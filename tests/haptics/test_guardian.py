@@ -8,8 +8,8 @@ import pytest
 from tests.haptics.inside import ReportWriter, ServoWatch, Watched
 from tests.haptics.plant import PLANT, PLANT_ALONE
 
+from cotouch.coupling import EnergyMessage
 from cotouch.haptics import Cause, DeviceChoice, Driver, Flag, ServoReport, ServoSettings
-from cotouch.mechanics import EnergyMessage
 
 
 class Servo:

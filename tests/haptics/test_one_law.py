@@ -9,9 +9,9 @@ import pytest
 from tests.device.support import driven
 from tests.simulation.test_tools import BLOCK, HOLD, PAIR
 
+from cotouch.coupling import DeviceCoupling, EnergyMessage, device_couplings
 from cotouch.device import Coupling, DeviceModel, ServoModel, assemble
 from cotouch.haptics import DeviceEnd, EndOptions
-from cotouch.mechanics import DeviceCoupling, EnergyMessage, device_couplings
 from cotouch.simulation import simulate
 
 PAGE = Path(__file__).parents[2] / "docs" / "extending.md"
@@ -50,7 +50,7 @@ def test_a_coupling_of_ones_own_is_one_file(tmp_path: Path, monkeypatch: pytest.
     assert len(code[1].splitlines()) < 60
     (tmp_path / "my_coupling.py").write_text(code[1], encoding="utf-8")
     monkeypatch.syspath_prepend(tmp_path)
-    monkeypatch.setattr("cotouch.mechanics._coupling_law._KNOWN", device_couplings())
+    monkeypatch.setattr("cotouch.coupling._law._KNOWN", device_couplings())
     __import__("my_coupling")
     monkeypatch.delitem(sys.modules, "my_coupling")
     law = device_couplings()["slipping"]

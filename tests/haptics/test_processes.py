@@ -20,15 +20,15 @@ from tests.haptics.inside import USUAL
 from tests.haptics.plant import GOOD, THROW, Plant
 from tests.stalls import Stalls
 
+from cotouch.coupling import device_couplings
 from cotouch.errors import DeviceError
 from cotouch.haptics import Cause, DeviceChoice, ProxyEnd, ServoLink
-from cotouch.mechanics import device_couplings
 
 PEER = """
 import sys, time
 sys.path.insert(0, sys.argv[1])
 from cotouch.haptics import DeviceChoice, ServoLink
-from cotouch.mechanics import EnergyMessage
+from cotouch.coupling import EnergyMessage
 link = ServoLink(DeviceChoice("tests.haptics.plant/PLANT", {"folder": sys.argv[2]}), real_time=None)
 print(link.servo, link.guardian, link._folder.path, flush=True)
 given = 1.0
@@ -277,7 +277,7 @@ def test_a_servo_finds_the_coupling_of_another_package(tmp_path: Path, monkeypat
     (info / "METADATA").write_text("Metadata-Version: 2.1\nName: my-coupling\nVersion: 1.0\n", encoding="utf-8")
     (info / "entry_points.txt").write_text("[cotouch.couplings]\nslipping = my_coupling:SLIPPING\n", encoding="utf-8")
     monkeypatch.syspath_prepend(place)
-    monkeypatch.setattr("cotouch.mechanics._coupling_law._KNOWN", device_couplings())
+    monkeypatch.setattr("cotouch.coupling._law._KNOWN", device_couplings())
     monkeypatch.delitem(sys.modules, "my_coupling", raising=False)
     monkeypatch.setenv("PYTHONPATH", os.pathsep.join((IMPORTS, str(place))))
     plant = Plant(tmp_path)

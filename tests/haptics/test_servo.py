@@ -13,6 +13,7 @@ from tests.haptics.inside import OrderWriter, ReportReader, ReportWriter, hung_u
 from tests.haptics.plant import DEAF, FROZEN, NAN, SLOW, THROW, Plant, PlantDevice
 from tests.stalls import Stalls
 
+from cotouch.coupling import EnergyMessage
 from cotouch.device import PRESETS
 from cotouch.haptics import (
     Cause,
@@ -27,7 +28,6 @@ from cotouch.haptics import (
     SimulatedOnClock,
     simulated_model,
 )
-from cotouch.mechanics import EnergyMessage
 
 
 class Loop:

@@ -5,6 +5,7 @@ import pytest
 from tests.haptics.inside import End
 from tests.haptics.two_ports import Body, Ran, check_passive, circumstances, run
 
+from cotouch.coupling import END, EnergyMessage
 from cotouch.device import PRESETS
 from cotouch.errors import DeviceError
 from cotouch.haptics import (
@@ -21,7 +22,6 @@ from cotouch.haptics import (
     simulated_model,
     virtual_limit,
 )
-from cotouch.mechanics import END, EnergyMessage
 
 SPEC = PRESETS["phantom"]
 

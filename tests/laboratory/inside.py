@@ -3,7 +3,8 @@
 from cotouch.laboratory._cells import Store, cells, many, source_of
 from cotouch.laboratory._compare import danger, drawn, score
 from cotouch.laboratory._noticed import losing, multiples, ours
-from cotouch.laboratory._replicas import REPLICAS, Moved, replicate
+from cotouch.laboratory._replicas._kinds import REPLICAS
+from cotouch.laboratory._replicas._replica import Moved, replicate
 from cotouch.laboratory._score import dangerous
 from cotouch.laboratory._study import spread, tunable
 from cotouch.laboratory._study_tables import HandKind, LawTable, NetworkTable

@@ -10,6 +10,7 @@ from tests.mechanics.inside import evaluate, resist
 
 from cotouch.body import Body, body_from_tetrahedra, is_solid_model, lattice, rigid_box, solid_laws
 from cotouch.installed import installed_names
+from cotouch.kernels import kernel
 from cotouch.mechanics import (
     ELASTIC,
     KINETIC,
@@ -23,7 +24,6 @@ from cotouch.mechanics import (
     State,
     closed_settle,
     closed_step,
-    kernel,
     model,
 )
 

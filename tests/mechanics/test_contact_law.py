@@ -11,15 +11,8 @@ from tests.mechanics.inside import press as press_point
 from tests.mechanics.pressing import areas, flat
 
 from cotouch.installed import installed_names
-from cotouch.mechanics import (
-    CONTACT_LAWS,
-    Stiffening,
-    conform_contact_law,
-    contact_law_named,
-    inner,
-    kernel,
-    press_skin,
-)
+from cotouch.kernels import inner, kernel
+from cotouch.mechanics import CONTACT_LAWS, Stiffening, conform_contact_law, contact_law_named, press_skin
 
 Float = npt.NDArray[np.float64]
 R, K = 0.01, 1000.0

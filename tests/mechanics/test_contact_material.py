@@ -10,6 +10,7 @@ from tests.mechanics.materials import EVERY, SPACING, boxes, made, rotation
 from tests.mechanics.pressing import Pressed, plate, slab
 
 from cotouch.body import body_from_tetrahedra
+from cotouch.kernels import kernel
 from cotouch.mechanics import (
     BETA,
     CLOSURE_ALARM,
@@ -20,7 +21,6 @@ from cotouch.mechanics import (
     TOUCH_LOSS,
     TOUCH_STORED,
     Stiffening,
-    kernel,
     press_skin,
 )
 

@@ -18,7 +18,8 @@ from tests.mechanics.inside import (
 from tests.mechanics.materials import made
 from tests.mechanics.pressing import Pressed
 
-from cotouch.mechanics import Workspace, kernel
+from cotouch.kernels import kernel
+from cotouch.mechanics import Workspace
 
 COUNT, ENOUGH = 2, 1e-3
 

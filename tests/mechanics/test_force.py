@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 import pytest
-from tests.mechanics.inside import LAWS, outlined
+from tests.mechanics.inside import LAWS
 from tests.mechanics.materials import (
     EVERY,
     SOLIDS,
@@ -23,6 +23,8 @@ from tests.mechanics.materials import (
 )
 
 from cotouch.body import lattice
+from cotouch.kernels import load, outlined, part, store
+from cotouch.kernels import total as sum_of
 from cotouch.mechanics import (
     BETA,
     BODY_LOSS,
@@ -33,11 +35,7 @@ from cotouch.mechanics import (
     SHORTENED,
     BodyForce,
     closed_step,
-    load,
-    part,
-    store,
 )
-from cotouch.mechanics import total as sum_of
 
 Float = npt.NDArray[np.float64]
 SWEEPS = 80

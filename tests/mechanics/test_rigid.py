@@ -8,17 +8,8 @@ from tests.mechanics.materials import Alone, rotation
 from tests.mechanics.test_world import SLICK, TABLE, G, Standing, sliding
 
 from cotouch.body import Body, rigid_box, rigid_cylinder, rigid_sphere
-from cotouch.mechanics import (
-    BETA,
-    BODY_LOSS,
-    CLOSURE_ALARM,
-    WORLD_LOSS,
-    WORLD_STORED,
-    BodyForce,
-    Obstacle,
-    Plane,
-    kernel,
-)
+from cotouch.kernels import kernel
+from cotouch.mechanics import BETA, BODY_LOSS, CLOSURE_ALARM, WORLD_LOSS, WORLD_STORED, BodyForce, Obstacle, Plane
 
 Float = npt.NDArray[np.float64]
 SIZE = (0.1, 0.06, 0.03)

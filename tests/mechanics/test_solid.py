@@ -10,7 +10,8 @@ from tests.mechanics.inside import LAWS
 
 from cotouch.body import is_solid_model, solid_laws
 from cotouch.errors import BodyError
-from cotouch.mechanics import inner, matrix3, register_solid
+from cotouch.kernels import inner, matrix3
+from cotouch.mechanics import register_solid
 
 PAGE = Path(__file__).parents[2] / "docs" / "extending.md"
 NONE = "it cannot be evaluated: "
@@ -52,7 +53,7 @@ def test_an_installed_material_is_known_by_its_name(written: Path) -> None:
         ("lam * grow", "0.0 + -lam * grow", f"{NONE}four numbers at once have no unary minus"),
         ("return f[0]", "return f[0] ** 1.5", f"{NONE}four numbers at once take whole powers only"),
         ("return mu", "return 0.0 if growth > 1.0 else mu", f"{NONE}it branches on what may be four numbers"),
-        ("matrix3.cofactor", "matrix3.cofacor", f"{NONE}module 'cotouch.mechanics._matrix3' has no attribute"),
+        ("matrix3.cofactor", "matrix3.cofacor", f"{NONE}module 'cotouch.kernels.matrix3' has no attribute"),
         ("h, h1, memory, e)", "h, h1)", f"{NONE}stress() takes 5 positional arguments"),
         ("e1, e1", "e1, e1[0]", NONE),
     ],

@@ -11,16 +11,7 @@ from tests.mechanics.support import Copy, Port, Scene, Spring, periods, random_s
 from tests.thorough import examples
 
 from cotouch.body import Body, chain, point
-from cotouch.mechanics import (
-    BODY_LOSS,
-    ELASTIC,
-    EXTRA_LOSS,
-    KINETIC,
-    LOCAL_LOSS,
-    SUPPLIED,
-    Basis,
-    State,
-)
+from cotouch.mechanics import BODY_LOSS, ELASTIC, EXTRA_LOSS, KINETIC, LOCAL_LOSS, SUPPLIED, Basis, State
 
 ROUND_OFF = 1e-13
 

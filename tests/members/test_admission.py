@@ -5,16 +5,7 @@ from tests.session.world import entropy
 from tests.traversal.shown import place_at
 
 from cotouch.laws import law_named
-from cotouch.members import (
-    AddressProof,
-    Admission,
-    Entry,
-    Join,
-    NameOwner,
-    Roster,
-    SessionFile,
-    addresses_of,
-)
+from cotouch.members import AddressProof, Admission, Entry, Join, NameOwner, Roster, SessionFile, addresses_of
 from cotouch.samples import Identity
 from cotouch.traversal import Addresses
 

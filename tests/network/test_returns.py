@@ -5,15 +5,7 @@ import pytest
 from tests.network.inside import bend_of, consensus_loop, cycle_period, excluded, swift, thorough, turn_of
 from tests.network.support import five_users, pairs, random_network
 
-from cotouch.network import (
-    chain_of,
-    characteristic,
-    closed_loop,
-    consensus_lags,
-    none_beyond,
-    on_line,
-    value,
-)
+from cotouch.network import chain_of, characteristic, closed_loop, consensus_lags, none_beyond, on_line, value
 
 NOWHERE = np.zeros(0, dtype=np.complex128)
 

@@ -1,10 +1,11 @@
 """Members that are shown and told things by mailboxes, on a virtual clock."""
 
 from pathlib import Path
+from urllib.parse import unquote
 
 import numpy as np
 import pytest
-from tests.session.world import World
+from tests.session.world import Person, World
 
 from cotouch.mailbox import MailboxReader
 from cotouch.observers import Emulated, MailboxFolder, Pointer
@@ -275,11 +276,14 @@ def test_the_shortest_recording_has_a_step(world: World) -> None:
         outcome = commands.outcome(person.name)
         assert outcome is not None
         assert (outcome.number, outcome.trouble) == (1, "")
-        assert outcome.steps == read_recording(world.mailboxes.recording(person.name, 1, life(world, person))).steps
+        assert outcome.steps == read_recording(file_of(world, person)).steps
 
 
-def life(world: World, person) -> int:
-    return int(1e3 * person.telemetry._life)
+def file_of(world: World, person: Person) -> Path:
+    """The one file of its first recording."""
+    assert world.mailboxes is not None
+    (path,) = (path for path in world.mailboxes.recordings(1) if unquote(path.name).startswith(f"{person.name}."))
+    return path
 
 
 def test_what_was_over_before_a_member_came_is_not_for_it(tmp_path: Path) -> None:
@@ -302,7 +306,7 @@ def test_a_recording_that_is_taken_away_is_told_at_once_and_the_copy_moves_on(wo
     world.run(0.5)
     assert world.mailboxes is not None
     assert other.member.status(world.now).recording == "on"
-    world.mailboxes.recording(one.name, 1, life(world, one)).unlink()
+    file_of(world, one).unlink()
     for _ in range(200):
         world.run(0.02)
         outcome = commands.outcome(one.name)

@@ -9,9 +9,9 @@ import xarray as xr
 from tests.simulation.inside import TOOL_UNITS
 
 from cotouch.body import lattice, point
+from cotouch.coupling import opening_energy, virtual_coupling_limit
 from cotouch.device import PRESETS
 from cotouch.errors import BodyError, CotouchError, ScenarioError
-from cotouch.mechanics import opening_energy, virtual_coupling_limit
 from cotouch.scenario import Scenario, SimulatedDeviceTable, ToolHand, ToolTable, resolve_penetration
 from cotouch.simulation import animation, felt, figures, frame_rate, prepare, run_batch, simulate, summary
 

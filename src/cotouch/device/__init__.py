@@ -16,6 +16,7 @@ from cotouch.device._critical import critical_stiffness, rings
 from cotouch.device._installed import installed_coupling
 from cotouch.device._models import CartesianPlant, DeviceModel, PhantomPlant, ServoModel, SimulatedHand
 from cotouch.device._noticed import HAND_DAMPING, NOTICED, NOTICED_DRAG
+from cotouch.device._path import path_place
 from cotouch.device._simulated import DeviceSample, SimulatedDevice
 from cotouch.device._spec import PRESETS, DeviceSpec, preset
 from cotouch.device._tables import DEVICE_LEDGER, Devices, DeviceState
@@ -46,6 +47,7 @@ __all__ = [
     "critical_stiffness",
     "excess_bound",
     "installed_coupling",
+    "path_place",
     "preset",
     "pull_proxy",
     "rings",

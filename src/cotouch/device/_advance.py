@@ -33,7 +33,7 @@ from cotouch.device._tables import (
     Devices,
     DeviceState,
 )
-from cotouch.mechanics import at, inner, kernel, load, part, put, store, total
+from cotouch.kernels import at, inner, kernel, load, part, put, store, total
 
 # A tick this close, beside a period, is now: sums of periods and times of steps differ by rounding.
 _ON_TIME = 1e-6

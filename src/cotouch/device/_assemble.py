@@ -6,6 +6,7 @@ from math import inf
 import numpy as np
 
 from cotouch.arrays import Long
+from cotouch.coupling import END, REST_FIELDS, rest_fraction
 from cotouch.device._models import CartesianPlant, DeviceModel, PhantomPlant, SimulatedHand
 from cotouch.device._phantom import phantom_potential
 from cotouch.device._tables import (
@@ -22,7 +23,6 @@ from cotouch.device._tables import (
     Plants,
     Servos,
 )
-from cotouch.mechanics import END, REST_FIELDS, rest_fraction
 
 
 def assemble(models: Sequence[DeviceModel]) -> tuple[Devices, DeviceState]:

@@ -4,7 +4,7 @@
 
 from cotouch.device._hand import LANES, add_to_ledger, book_hand, book_motors, correct, equilibrium_after
 from cotouch.device._tables import COULOMB_LOSS, Devices, DeviceState
-from cotouch.mechanics import at, inner, load, part, splat, store, total
+from cotouch.kernels import at, inner, load, part, splat, store, total
 
 
 @inner

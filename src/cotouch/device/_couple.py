@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cotouch.arrays import Float, Long
+from cotouch.coupling import END, HeldForce, book_end, coupling_at, hear_end, run_end
 from cotouch.device._advance import advance
 from cotouch.device._hand import LANES
 from cotouch.device._tables import (
@@ -28,23 +29,8 @@ from cotouch.device._tables import (
     Devices,
     DeviceState,
 )
-from cotouch.mechanics import (
-    END,
-    HeldForce,
-    Tools,
-    at,
-    book_end,
-    coupling_at,
-    hear_end,
-    inner,
-    load,
-    part,
-    put,
-    run_end,
-    splat,
-    store,
-    total,
-)
+from cotouch.kernels import at, inner, load, part, put, splat, store, total
+from cotouch.mechanics import Tools
 from cotouch.passing import by_address
 
 

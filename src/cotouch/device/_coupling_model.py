@@ -5,11 +5,11 @@ from math import inf
 from typing import final
 
 from cotouch.arrays import Float
+from cotouch.coupling import DeviceCoupling, device_couplings, end_row
 from cotouch.device._checks import need
 from cotouch.device._installed import installed_coupling
 from cotouch.device._tables import COUPLED, HOST_FORCE, SPRING
 from cotouch.errors import DeviceError
-from cotouch.mechanics import DeviceCoupling, device_couplings, end_row
 
 # What a servo does beside the couplings of `cotouch.mechanics`.
 _OTHERS = {"spring": SPRING, "host_force": HOST_FORCE}

@@ -11,7 +11,7 @@ from cotouch.device._coupling_model import Coupling
 from cotouch.device._models import CartesianPlant, DeviceModel, ServoModel, SimulatedHand
 from cotouch.device._tables import KINETIC, Devices, DeviceState
 from cotouch.errors import DeviceError
-from cotouch.mechanics import at, kernel
+from cotouch.kernels import at, kernel
 
 # How far the wall is from where the device starts [m]; the loop is linear, so it does not matter.
 _KICK = 1e-3

@@ -8,17 +8,9 @@ follows a path; what the will adds to it answers the error of the tip one reacti
 
 from math import inf
 
-from cotouch.device._tables import (
-    HAND_LOSS,
-    HUMAN,
-    RECALL,
-    VISCOUS_LOSS,
-    WORK,
-    Devices,
-    DeviceState,
-    Grasps,
-)
-from cotouch.mechanics import at, inner, load, part, path_place, put, splat, store, total
+from cotouch.device._path import path_place
+from cotouch.device._tables import HAND_LOSS, HUMAN, RECALL, VISCOUS_LOSS, WORK, Devices, DeviceState, Grasps
+from cotouch.kernels import at, inner, load, part, put, splat, store, total
 
 LANES = (0, 0, 0, 0)
 

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable
 
+from cotouch.coupling import DeviceCoupling, device_couplings, register_coupling
 from cotouch.errors import DeviceError
 from cotouch.installed import installed, installed_names
-from cotouch.mechanics import DeviceCoupling, device_couplings, register_coupling
 
 GROUP = "cotouch.couplings"
 

@@ -21,7 +21,7 @@ from math import cos, inf, sin
 
 from cotouch.device._hand import LANES, add_to_ledger, book_hand, book_motors, correct, equilibrium_after
 from cotouch.device._tables import COULOMB_LOSS, Devices, DeviceState, Grasps, Plants
-from cotouch.mechanics import at, inner, kernel, part, put, store
+from cotouch.kernels import at, inner, kernel, part, put, store
 
 # An iteration gains two to three digits at 10 kHz; this many are for a long step with a firm hand.
 _ITERATIONS = 60

@@ -11,6 +11,7 @@ from math import inf
 import numpy as np
 
 from cotouch.arrays import Float
+from cotouch.coupling import END, book_end, place_at_rest, run_end
 from cotouch.device._hand import LANES, add_to_ledger
 from cotouch.device._phantom import joint_torques, phantom_tip
 from cotouch.device._tables import (
@@ -30,7 +31,7 @@ from cotouch.device._tables import (
     Devices,
     DeviceState,
 )
-from cotouch.mechanics import END, at, book_end, inner, load, part, place_at_rest, put, run_end, store, total
+from cotouch.kernels import at, inner, load, part, put, store, total
 
 
 @part

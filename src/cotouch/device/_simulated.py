@@ -4,13 +4,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import final
 
+from cotouch.coupling import EnergyMessage, hear, message_of
 from cotouch.device._advance import advance
 from cotouch.device._assemble import assemble
 from cotouch.device._checks import need, triple
 from cotouch.device._models import DeviceModel
 from cotouch.device._tables import DEVICE_LEDGER, SATURATED, Float
 from cotouch.errors import DeviceError
-from cotouch.mechanics import EnergyMessage, hear, message_of
 
 
 @final

@@ -1,36 +1,22 @@
 """Hands that hold real devices: the proxy of each is a tool of the slot, round or rigid, or a node that it holds."""
 
 from collections.abc import Sequence
-from typing import final
+from typing import NamedTuple, final
 
 import numpy as np
 
 from cotouch.arrays import Array, Float
 from cotouch.body import Body
+from cotouch.coupling import EnergyMessage
 from cotouch.errors import DeviceError
 from cotouch.hands._grasped import Grasped, GraspedBall, GraspedNode, more
 from cotouch.hands._grasped_tool import GraspedTool
 from cotouch.hands._twisted import Twisted
-from cotouch.haptics import (
-    LEAST_SCALE,
-    MOST_SCALE,
-    CouplingChoice,
-    ProxyEnd,
-    ServoLink,
-    ServoReport,
-    Vector,
-)
-from cotouch.mechanics import EnergyMessage, Model, idle_ports, own_ports
+from cotouch.haptics import LEAST_SCALE, MOST_SCALE, CouplingChoice, ProxyEnd, ServoLink, ServoReport, Vector
+from cotouch.mechanics import Model, idle_ports, own_ports
 from cotouch.members import Slot, SlotHand, coupling_of_slot, device_tools, handles_of, no_ports
 from cotouch.observers import size_of
-from cotouch.scenario import (
-    HandTable,
-    RigidToolTable,
-    Scenario,
-    ToolTable,
-    ports_of,
-    with_tools,
-)
+from cotouch.scenario import HandTable, RigidToolTable, Scenario, ToolTable, ports_of, with_tools
 
 _NOWHERE: Vector = (0.0, 0.0, 0.0)
 # A ball that touches, where the session's file has no tool for the slot: so much of the body's largest extent, within
@@ -41,6 +27,18 @@ _MASS, _STIFFNESS = 0.05, 1000.0
 _BEYOND = 1.25
 # A workspace that is not known [m].
 _WORKSPACE = 0.1
+
+
+class DeviceWork(NamedTuple):
+    """What a device's coupling has done to the copy so far.
+
+    Attributes:
+        place: where it moved its proxy [J].
+        turning: where it turned it; None: the device renders no torques, or its proxy does not turn [J].
+    """
+
+    place: float
+    turning: float | None
 
 
 @final
@@ -112,6 +110,11 @@ class DeviceHand(SlotHand):
         """Tells each device where its proxy went."""
         for hold in self._holds:
             hold.after()
+
+    @property
+    def work(self) -> tuple[DeviceWork, ...]:
+        """What each device has done, in their order."""
+        return tuple(hold.work for hold in self._holds if isinstance(hold, _Hold))
 
     def show(self, fields: dict[str, Array]) -> None:
         """Writes into a mailbox's fields where each device is, what it holds or pushes with, and what pulls that.
@@ -214,6 +217,10 @@ class _Hold:
         if isinstance(grasped, GraspedTool) and link.spec.torque > 0.0:
             turning = link.couple_turning(below)
             self._twisted = None if turning is None else Twisted(grasped, turning)
+
+    @property
+    def work(self) -> DeviceWork:
+        return DeviceWork(self._end.work, None if self._twisted is None else self._twisted.end.work)
 
     def before(self, T: float) -> None:
         scale = self._scale

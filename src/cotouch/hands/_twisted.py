@@ -2,9 +2,9 @@
 
 from typing import final
 
+from cotouch.coupling import EnergyMessage
 from cotouch.hands._grasped_tool import GraspedTool
 from cotouch.haptics import EndOptions, Quaternion, ServoReport, TurningProxyEnd, Vector, back, product
-from cotouch.mechanics import EnergyMessage
 
 _STILL: Vector = (0.0, 0.0, 0.0)
 

@@ -5,6 +5,7 @@ from math import inf, isfinite
 from typing import NamedTuple, final
 
 from cotouch.arrays import Float
+from cotouch.coupling import EnergyMessage
 from cotouch.device import DeviceSpec
 from cotouch.haptics._device import DeviceReading, Flag
 from cotouch.haptics._ends import DeviceEnd, EndOptions, checked
@@ -14,7 +15,6 @@ from cotouch.haptics._quaternions import Quaternion, quaternion
 from cotouch.haptics._safety import NO_CAUSE, ZERO, Cause, Observation, SafetyChain, Vector, norm, scaled
 from cotouch.haptics._turning import TurningEnd, at_arm
 from cotouch.haptics._virtual import checked_virtual
-from cotouch.mechanics import EnergyMessage
 
 # A button held down for so long, with the device slow, re-arms [s, m/s].
 _REARM, _SLOW = 1.0, 0.1

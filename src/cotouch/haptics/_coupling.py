@@ -5,13 +5,13 @@ from dataclasses import asdict, dataclass, fields, replace
 from math import inf, isfinite
 from typing import Any, Final, Literal, final
 
+from cotouch.coupling import checked_toll, encoder_toll, opening_energy
 from cotouch.device import DeviceSpec, installed_coupling
 from cotouch.errors import DeviceError
 from cotouch.haptics._ends import WINDOW, EndOptions, checked
 from cotouch.haptics._registry import DeviceChoice, Option
 from cotouch.haptics._turning import ARM, at_arm
 from cotouch.haptics._virtual import checked_virtual, virtual_limit
-from cotouch.mechanics import checked_toll, encoder_toll, opening_energy
 
 Scale = float | Literal["fit"]
 # Scales beyond these make a device's tremble a leap of the body, or hide the body behind its encoders.

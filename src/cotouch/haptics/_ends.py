@@ -1,6 +1,6 @@
 """Both ends of a coupling, as a servo and a peer's step hold them; what they do is a law's (`cotouch.mechanics`).
 
-Each end is a row of numbers with a tank of its own; see `mechanics/_coupling_end.py` for what it may use, and why that
+Each end is a row of numbers with a tank of its own; see `coupling/_end.py` for what it may use, and why that
 is two-port passive whatever the mailboxes between them do. The servo's end decides on a force while the one before
 still acts, which is a latency of one tick.
 """
@@ -8,11 +8,11 @@ still acts, which is a latency of one tick.
 from math import inf, isfinite
 from typing import NamedTuple, final
 
+from cotouch.coupling import END, EnergyMessage, HeldForce, book_end, end_row, hear, message_of
 from cotouch.device import DeviceSpec, installed_coupling
 from cotouch.errors import DeviceError
 from cotouch.haptics._port import MotorPort, Rest, Wall, less, plus
 from cotouch.haptics._safety import ZERO, Vector, dot, norm, scaled
-from cotouch.mechanics import END, EnergyMessage, HeldForce, book_end, end_row, hear, message_of
 
 # Over which a servo measures the tip's velocity [s]: an encoder of 0.05 mm then tells 5 mm/s apart.
 WINDOW = 0.01

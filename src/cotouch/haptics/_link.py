@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any, TypedDict, cast, final
 
+from cotouch.coupling import EnergyMessage
 from cotouch.device import DeviceSpec
 from cotouch.errors import DeviceError
 from cotouch.files import table_of
@@ -22,7 +23,6 @@ from cotouch.haptics._registry import DeviceChoice, driver
 from cotouch.haptics._safety import NO_CAUSE, Cause, Vector
 from cotouch.haptics._settings import ServoSettings, spec_from
 from cotouch.haptics._warning_log import WarningLog, priority_refused
-from cotouch.mechanics import EnergyMessage
 from cotouch.processes import MemoryFolder
 
 # The servo is started before the guardian loads what it needs itself, so that both load at the same time.

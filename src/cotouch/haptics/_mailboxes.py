@@ -8,6 +8,7 @@ from typing import Final, final
 import numpy as np
 
 from cotouch.arrays import Array
+from cotouch.coupling import EnergyMessage
 from cotouch.errors import InputError
 from cotouch.haptics._core import Order, ServoReport
 from cotouch.haptics._device import Flag
@@ -15,7 +16,6 @@ from cotouch.haptics._ends import EndOptions
 from cotouch.haptics._quaternions import Quaternion
 from cotouch.haptics._safety import Cause, Vector
 from cotouch.mailbox import MailboxReader, MailboxWriter
-from cotouch.mechanics import EnergyMessage
 
 REPORT: Final = "report"
 ORDER: Final = "order"

@@ -5,8 +5,8 @@ from typing import NamedTuple, final
 
 import numpy as np
 
+from cotouch.coupling import REST_DRIFT, REST_FIELDS, modulate, place_at_rest, rest_fraction
 from cotouch.haptics._safety import ZERO, Vector, dot, norm, scaled
-from cotouch.mechanics import REST_DRIFT, REST_FIELDS, modulate, place_at_rest, rest_fraction
 
 
 class Did(NamedTuple):

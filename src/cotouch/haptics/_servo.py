@@ -179,7 +179,7 @@ def _sentence(error: Exception) -> str:
 
 
 def _nothing(now: float) -> ServoReport:
-    from cotouch.mechanics import EnergyMessage
+    from cotouch.coupling import EnergyMessage
 
     return ServoReport(now, 0, ZERO, ZERO, ZERO, ZERO, EnergyMessage(), 0.0, 0.0, Cause.OFF, 0, Flag(0))
 

@@ -13,13 +13,13 @@ it stands. PSPM needs no more of a place than the work of a held force along it 
 from math import inf
 from typing import NamedTuple, final
 
+from cotouch.coupling import EnergyMessage
 from cotouch.device import DeviceSpec
 from cotouch.haptics._ends import DeviceEnd, EndOptions, ProxyEnd
 from cotouch.haptics._measured import MeasuredMotion
 from cotouch.haptics._port import less, plus
 from cotouch.haptics._quaternions import Quaternion, back, product, turn_of, vector_of, way_back
 from cotouch.haptics._safety import ZERO, Vector, scaled
-from cotouch.mechanics import EnergyMessage
 
 # Radius at which angles are arcs, and torques forces [m].
 ARM = 0.05

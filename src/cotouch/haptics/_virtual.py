@@ -1,4 +1,4 @@
-"""Which virtual couplings are passive on a real device; the law itself is `mechanics/_coupling_virtual.py`.
+"""Which virtual couplings are passive on a real device; the law itself is `coupling/_virtual.py`.
 
 What a sampled spring makes has to be paid by friction that is really there
 (`cotouch.mechanics.virtual_coupling_limit`). The device pays from its own
@@ -17,10 +17,10 @@ Whatever is not as it was said, the passivity observer holds the motors' work to
 switches them off where it is not kept.
 """
 
+from cotouch.coupling import unseen_place, virtual_coupling_limit
 from cotouch.device import DeviceSpec
 from cotouch.errors import DeviceError
 from cotouch.haptics._ends import WINDOW, EndOptions
-from cotouch.mechanics import unseen_place, virtual_coupling_limit
 
 # Ticks that a place of the device is held and waited for: a force is decided on while the one before still acts.
 _HELD = 3.0

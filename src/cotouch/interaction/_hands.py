@@ -5,7 +5,9 @@
 from typing import NamedTuple
 
 from cotouch.arrays import Bool, Float, Int
-from cotouch.mechanics import Ports, at, kernel, path_place, put, splat, store
+from cotouch.device import path_place
+from cotouch.kernels import at, kernel, put, splat, store
+from cotouch.mechanics import Ports
 from cotouch.passing import by_address
 
 

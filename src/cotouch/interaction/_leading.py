@@ -6,7 +6,8 @@ from typing import NamedTuple
 
 from cotouch.arrays import Float, Int
 from cotouch.interaction._touching import Touching, after_step, before_step
-from cotouch.mechanics import FOUR, Ports, at, block, load, part, put, store
+from cotouch.kernels import FOUR, at, block, load, part, put, store
+from cotouch.mechanics import Ports
 from cotouch.passing import by_address
 
 

@@ -7,17 +7,10 @@ from typing import NamedTuple
 import numpy as np
 
 from cotouch.arrays import Float, Int
-from cotouch.device import (
-    DEVICE_LEDGER,
-    Couplings,
-    Devices,
-    DeviceState,
-    account_energy,
-    command_device,
-    pull_proxy,
-)
+from cotouch.device import DEVICE_LEDGER, Couplings, Devices, DeviceState, account_energy, command_device, pull_proxy
 from cotouch.interaction._hands import Hands, grip
-from cotouch.mechanics import AWAY, FOUR, Contact, Ports, Surface, Tools, at, block, load, own_tools, part, put, store
+from cotouch.kernels import FOUR, at, block, load, part, put, store
+from cotouch.mechanics import AWAY, Contact, Ports, Surface, Tools, own_tools
 from cotouch.passing import by_address
 
 

@@ -14,8 +14,8 @@ from cotouch.laboratory._cell_tables import MapCell, Mapped, ScoreCell, Scored, 
 from cotouch.laboratory._cells import Progress, Store, cells, contents_of, source_of
 from cotouch.laboratory._ideal import ideal
 from cotouch.laboratory._impedance import impedance
-from cotouch.laboratory._replicas import REPLICAS
-from cotouch.laboratory._score import MEASURES, dangerous, measures_of, sizes
+from cotouch.laboratory._replicas._kinds import REPLICAS
+from cotouch.laboratory._score import MEASURES, dangerous, measures_of, message_size, promises, said_of
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
 from cotouch.laboratory._tasks import Task
 from cotouch.laboratory._tune import tune
@@ -334,16 +334,21 @@ def _gathered(
         ]
         for law in laws
     ]
-    facts, taken = [sizes(study, law) for law in study.laws], [law_time(study, law) for law in study.laws]
+    said, body = [said_of(law) for law in study.laws], study.build_body()
+    size = [message_size(law, body.nodes * body.dimension) for law in study.laws]
     data |= {
         "dangerous": ((*axes, "hand"), risky, {"long_name": "1 if a push does not die away"}),
         "loose": (axes, untied, {"long_name": "1 if copies that nobody holds drive each other apart"}),
         "setting": (axes[:3], np.array(settings, dtype=np.str_)),
-        "bytes": ("law", np.array([float(fact["bytes"]) for fact in facts]), {"units": "B"}),
-        "promises": ("law", np.array([float(fact["promises"]) for fact in facts])),
-        "sends": ("law", np.array([", ".join(fact["sends"]) for fact in facts], dtype=np.str_)),
-        "source": ("law", np.array([fact["source"] for fact in facts], dtype=np.str_)),
-        "time": ("law", np.array(taken), {"units": "s", "long_name": "of an end and step, beyond a spring's"}),
+        "bytes": ("law", np.array(size, dtype=np.float64), {"units": "B"}),
+        "promises": ("law", np.array([float(promises(law)) for law in study.laws])),
+        "sends": ("law", np.array([", ".join(sends) for sends, _ in said], dtype=np.str_)),
+        "source": ("law", np.array([source for _, source in said], dtype=np.str_)),
+        "time": (
+            "law",
+            np.array([law_time(study, law) for law in study.laws]),
+            {"units": "s", "long_name": "of an end and step, beyond a spring's"},
+        ),
     }
     coordinates: dict[str, object] = {
         "law": laws,

@@ -13,7 +13,7 @@ from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.errors import NetworkError, ScenarioError
 from cotouch.files import list_of, read_text, table_of, toml
-from cotouch.laboratory._replicas import REPLICAS
+from cotouch.laboratory._replicas._kinds import REPLICAS
 from cotouch.laboratory._study_tables import HandKind, LawTable, MapTable, NetworkTable, Tuning, Users
 from cotouch.laboratory._tasks import JUDGED, TASKS, Hands, Task
 from cotouch.laws import FORCE, law_named

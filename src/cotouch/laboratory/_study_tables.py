@@ -5,7 +5,7 @@ from typing import Annotated, Self, cast, final
 from pydantic import Field, model_validator
 
 from cotouch.device import HAND_DAMPING
-from cotouch.laboratory._replicas import REPLICAS
+from cotouch.laboratory._replicas._kinds import REPLICAS
 from cotouch.scenario import Mode, NonNegative, Positive, Table
 
 _MOST_USERS = 64

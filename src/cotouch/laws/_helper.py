@@ -7,8 +7,9 @@ from typing import Any, TypeVar
 import numba
 
 from cotouch.arrays import Float
+from cotouch.kernels import at, inner, kernel, put
 from cotouch.laws._end import End
-from cotouch.mechanics import Ports, at, inner, kernel, put
+from cotouch.mechanics import Ports
 
 F = TypeVar("F", bound=Callable[..., object])
 
@@ -47,6 +48,33 @@ def copy(target: Float, source: Float) -> None:
     """
     for i in range(target.shape[0]):
         put(target, i, at(source, i))
+
+
+@inner
+def move_set(end: End, hold: Float, spare: float, force: float) -> tuple[float, float]:
+    """Set-position modulation: `hold` goes as near to the sample as energy and force allow.
+
+    Args:
+        end: that has heard a sample.
+        hold: where its spring is held; moved.
+        spare: energy for that beyond what the spring holds [J].
+        force: largest of the spring; what it would hold beyond is not spent [N].
+
+    Returns:
+        What the spring held and what it holds [J].
+    """
+    x, half = end.position, 0.5 * end.spring
+    held = desired = 0.0
+    for i in range(x.shape[0]):
+        held += half * at(end.weight, i) * (at(x, i) - at(hold, i)) ** 2
+        desired += half * at(end.weight, i) * (at(x, i) - at(end.sample, i)) ** 2
+    fraction = sqrt((held + spare) / desired) if desired > held + spare else 1.0
+    pull = sqrt(2.0 * end.spring * desired)
+    if fraction * pull > force:
+        fraction = force / pull
+    for i in range(x.shape[0]):
+        put(hold, i, at(x, i) + fraction * (at(end.sample, i) - at(x, i)))
+    return held, fraction * fraction * desired
 
 
 @inner

@@ -8,9 +8,9 @@ from typing import TypeAlias, final
 
 from cotouch.errors import NetworkError
 from cotouch.installed import installed, installed_names
+from cotouch.kernels import beyond, reason, written_here
 from cotouch.laws._end import CompiledHalf, End
 from cotouch.laws._trial import ends
-from cotouch.mechanics import beyond, reason, written_here
 
 # Entry points of laws that other packages bring.
 GROUP = "cotouch.laws"
@@ -42,6 +42,16 @@ class Tone:
 
 # Of one end: Z_ii and Z_ij of `F_ij = Z_ij v_j - Z_ii v_i` [Ns/m].
 Linear: TypeAlias = Callable[[Tone], tuple[complex, complex]]
+
+
+def damped_spring(tone: Tone) -> tuple[complex, complex]:
+    """`Linear` of a spring and a damper, the first parameter, to what was heard.
+
+    Args:
+        tone: at which.
+    """
+    own = tone.spring / tone.s + tone.parameters[0]
+    return own, own * tone.there
 
 
 @final
@@ -105,6 +115,10 @@ class Facts:
     def delay(self) -> float:
         """Half of what there and back take together, the same number at both ends [s]."""
         return 0.5 * (self.age + self.age_back)
+
+    def spring_damping(self) -> float:
+        """K d [Ns/m]: a damper that takes what the delay makes in a spring and damper between the copies."""
+        return self.spring * self.delay
 
     def lag(self, filtered: float) -> float:
         """Half of what a line lags there and back that takes up what arrives over some time, the same at both ends [s].

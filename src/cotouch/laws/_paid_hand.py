@@ -2,6 +2,7 @@
 
 from math import sqrt
 
+from cotouch.kernels import FOUR, load, size, total
 from cotouch.laws._end import End
 from cotouch.laws._helper import helper
 from cotouch.laws._paid_fields import (
@@ -46,7 +47,6 @@ from cotouch.laws._paid_fields import (
     X,
 )
 from cotouch.laws._paid_rows import go_on, keep
-from cotouch.mechanics import FOUR, load, size, total
 
 # A hand is looked at over so long, without what its force and place do evenly over that time, for its own aim moves. It
 # must seem the same for so long to be believed, at first and later [s].

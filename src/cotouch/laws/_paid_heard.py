@@ -5,6 +5,7 @@ A hand acts on few nodes. Of all others the message and what is kept of it are 0
 
 from typing import NamedTuple
 
+from cotouch.kernels import FOUR, load, size, splat, store, total, where
 from cotouch.laws._end import End
 from cotouch.laws._helper import helper
 from cotouch.laws._paid_fields import (
@@ -38,7 +39,6 @@ from cotouch.laws._paid_fields import (
     X,
 )
 from cotouch.laws._paid_rows import NOTHING, ONE
-from cotouch.mechanics import FOUR, load, size, splat, store, total, where
 
 # A hand elsewhere resists a copy by where that was and how fast at the step's start, so a row swings up if the hand's
 # spring and damper would more than stop it in a step: ½T (b + ½T k) of more than its mass. What is more than this share

@@ -6,11 +6,11 @@ nothing where nothing moves. So what was exerted of late goes on, only as much m
 in the steps that follow, and meanwhile a damper stops the copy.
 """
 
+from cotouch.kernels import FOUR, load, size, splat, store, total, upper, where
 from cotouch.laws._end import End
 from cotouch.laws._helper import helper
 from cotouch.laws._paid_fields import EXERTED, HELD, LEVEL, STILL, WISH
 from cotouch.laws._paid_rows import ONE
-from cotouch.mechanics import FOUR, load, size, splat, store, total, upper, where
 
 # Share of its level that an account keeps: without any, it pays for no force at all.
 _KEEPS = 0.05

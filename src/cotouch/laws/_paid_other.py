@@ -3,6 +3,7 @@
 from math import sqrt
 
 from cotouch.arrays import Float
+from cotouch.kernels import FOUR, load, size, splat, store, total, upper
 from cotouch.laws._end import End
 from cotouch.laws._helper import helper
 from cotouch.laws._paid_fields import (
@@ -77,7 +78,6 @@ from cotouch.laws._paid_fields import (
     W,
 )
 from cotouch.laws._paid_rows import ONE
-from cotouch.mechanics import FOUR, load, size, splat, store, total, upper
 
 # Of any force that is told on [N].
 _MOST = 1e5

@@ -3,6 +3,7 @@
 Each pass is called for all whole fours, and for what is left over number by number.
 """
 
+from cotouch.kernels import FOUR, load, size, splat, store, total, where
 from cotouch.laws._end import End
 from cotouch.laws._helper import helper
 from cotouch.laws._paid_fields import (
@@ -21,7 +22,6 @@ from cotouch.laws._paid_fields import (
     V,
     X,
 )
-from cotouch.mechanics import FOUR, load, size, splat, store, total, where
 
 # Lanes of a number that is alone.
 ONE = (0,)

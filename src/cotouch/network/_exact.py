@@ -26,13 +26,7 @@ from cotouch.arrays import Complex, Float, Long
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.interrupt import check
 from cotouch.network._age_sums import check_periods, index_delays_of
-from cotouch.network._gains import (
-    coefficients,
-    damping_matrices,
-    inverse_roots,
-    link_matrices,
-    single_weight,
-)
+from cotouch.network._gains import coefficients, damping_matrices, inverse_roots, link_matrices, single_weight
 from cotouch.network._network import Network
 
 # What is returned is never on the wrong side of the truth, and at most this far from it, relative to the scale of C.

@@ -1,7 +1,7 @@
 """Steps after which nodes had lost their last element and stopped: how fast these moved before that.
 
-Such a node rests from then on (`mechanics/_debris.py`). Its velocity is not recorded any more, but follows from the
-step itself, which began with the one that the step before ended with.
+Such a node rests from then on (`mechanics/_closed/_debris.py`). Its velocity is not recorded any more, but follows
+from the step itself, which began with the one that the step before ended with.
 """
 
 from typing import TYPE_CHECKING

@@ -7,6 +7,15 @@ import numpy as np
 
 from cotouch.arrays import Float
 from cotouch.body import Body
+from cotouch.coupling import (
+    END,
+    checked_toll,
+    checked_virtual_coupling,
+    device_couplings,
+    encoder_toll,
+    opening_energy,
+    unseen_place,
+)
 from cotouch.device import (
     PRESETS,
     CartesianPlant,
@@ -21,24 +30,7 @@ from cotouch.device import (
 )
 from cotouch.errors import BodyError, DeviceError, ScenarioError
 from cotouch.interaction import Hands, Touching
-from cotouch.mechanics import (
-    BLADE,
-    END,
-    GRASP,
-    TOUCH_LEDGER,
-    TOUCHING,
-    Model,
-    Ports,
-    checked_toll,
-    checked_virtual_coupling,
-    contact_by,
-    device_couplings,
-    encoder_toll,
-    opening_energy,
-    surface_of,
-    tools,
-    unseen_place,
-)
+from cotouch.mechanics import BLADE, GRASP, TOUCH_LEDGER, TOUCHING, Model, Ports, contact_by, surface_of, tools
 from cotouch.scenario._penetration import resolve_penetration
 from cotouch.scenario._tool_tables import DEFAULT_RATE, ContactTable, SimulatedDeviceTable, ToolHand, ToolTable
 

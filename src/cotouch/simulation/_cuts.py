@@ -1,7 +1,8 @@
 """What a copy of a run loses by cutting, after each of its steps."""
 
 from cotouch.arrays import Float
-from cotouch.mechanics import CUT, CUT_COUNT, BodyForce, Cutting, Operator, State, hear_cuts, part, sever
+from cotouch.kernels import part
+from cotouch.mechanics import CUT, CUT_COUNT, BodyForce, Cutting, Operator, State, hear_cuts, sever
 from cotouch.passing import Each
 from cotouch.simulation._layout import Record, Timing, Topology
 from cotouch.simulation._ledger import add

@@ -7,8 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from cotouch.arrays import Int, Long
+from cotouch.kernels import at, inner, put
 from cotouch.laws import CompiledHalf, End, feel, hand, handed
-from cotouch.mechanics import BodyForce, Contact, Ports, at, inner, put, tell_push
+from cotouch.mechanics import BodyForce, Contact, Ports, tell_push
 from cotouch.passing import by_address
 from cotouch.simulation._layout import Float, Timing, Topology
 

@@ -21,6 +21,7 @@ from cotouch.interaction import (
     keep_tools,
     proxy_energy,
 )
+from cotouch.kernels import at, kernel, put
 from cotouch.mechanics import (
     BETA,
     BODY_LOSS,
@@ -45,16 +46,13 @@ from cotouch.mechanics import (
     Cutting,
     Operator,
     are_apart,
-    at,
     begin_cut,
     closed_settle,
     closed_step,
     contact_step,
     decide_cuts,
     expose,
-    kernel,
     move_apart,
-    put,
     settle,
     step,
 )
@@ -95,14 +93,7 @@ from cotouch.simulation._layout import (
     Timing,
     Topology,
 )
-from cotouch.simulation._ledger import (
-    add,
-    copy,
-    delay_work_of,
-    keep_frames,
-    keep_user,
-    spring_energies,
-)
+from cotouch.simulation._ledger import add, copy, delay_work_of, keep_frames, keep_user, spring_energies
 
 
 @kernel

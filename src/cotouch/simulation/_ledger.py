@@ -3,21 +3,8 @@
 # pyright: reportArgumentType=false, reportReturnType=false
 
 from cotouch.interaction import Hands
-from cotouch.mechanics import (
-    ITERATIONS,
-    WEIGHTS,
-    Operator,
-    at,
-    inner,
-    kernel,
-    load,
-    mixed,
-    multiply,
-    put,
-    splat,
-    store,
-    total,
-)
+from cotouch.kernels import at, inner, kernel, load, put, splat, store, total
+from cotouch.mechanics import ITERATIONS, WEIGHTS, Operator, mixed, multiply
 from cotouch.simulation._layout import (
     SLOT_DELAY_WORK,
     SLOT_LINK_WORK,

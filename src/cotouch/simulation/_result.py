@@ -187,10 +187,10 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
         put("cut_by", ("user", "element"), by.astype(np.int32))
     for name, values in zip(ledger, record.users, strict=False):
         put(name, ("user", "step"), values, everyone)
-    time, period = np.empty((users, records)), np.empty((users, records))
-    time[:, 0], period[:, 0] = 0.0, np.nan
-    time[:, 1:] = timing.end[:, every - 1 :: every][:, : records - 1]
-    period[:, 1:] = timing.length[:, every - 1 :: every][:, : records - 1]
+    time, period = (
+        np.pad(kept[:, every - 1 :: every][:, : records - 1], ((0, 0), (1, 0)), constant_values=first)
+        for kept, first in ((timing.end, 0.0), (timing.length, np.nan))
+    )
     put("time", ("user", "step"), time, everyone)
     put("period", ("user", "step"), period, everyone)
 
@@ -239,7 +239,7 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
         for name, (dims, values) in data.items()
     }
 
-    names = [f"{i + 1}<-{j + 1}" for i, j in zip(slots.receiver, slots.sender, strict=True)]
+    names = [f"{i + 1}<-{j + 1}" for i, j in slots.pairs]
     return Run(
         labelled,
         coords={

@@ -5,7 +5,7 @@
 import numpy as np
 
 from cotouch.arrays import Float, Int
-from cotouch.mechanics import at, kernel, put
+from cotouch.kernels import at, kernel, put
 
 # Far below any step, and far above the round-off of summed steps and of delays as long as some steps: what comes at the
 # instant of a step always counts, not now and then.

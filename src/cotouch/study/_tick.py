@@ -3,7 +3,7 @@
 from math import inf
 from typing import NamedTuple
 
-from cotouch.mechanics import modulate, modulation_bound
+from cotouch.coupling import modulate, modulation_bound
 
 
 class WorstTick(NamedTuple):

@@ -1,0 +1,63 @@
+"""What joins a device to its proxy without making energy: one law for simulated devices and for servos."""
+
+from cotouch.coupling._end import (
+    END,
+    EndFields,
+    EnergyMessage,
+    available_energy,
+    book_end,
+    end_row,
+    hear,
+    hear_end,
+    hold_gap,
+    message_of,
+    share,
+    squared,
+)
+from cotouch.coupling._law import DeviceCoupling, HeldForce, coupling_at, device_couplings, register_coupling, run_end
+from cotouch.coupling._modulation import (
+    checked_virtual_coupling,
+    modulate,
+    modulation_bound,
+    unseen_place,
+    virtual_coupling_limit,
+)
+from cotouch.coupling._pspm import PSPM_COUPLING
+from cotouch.coupling._rest import REST_DRIFT, REST_FIELDS, place_at_rest, rest_fraction
+from cotouch.coupling._toll import checked_toll, encoder_toll, opening_energy
+from cotouch.coupling._virtual import VIRTUAL_COUPLING
+
+__all__ = [
+    "END",
+    "PSPM_COUPLING",
+    "REST_DRIFT",
+    "REST_FIELDS",
+    "VIRTUAL_COUPLING",
+    "DeviceCoupling",
+    "EndFields",
+    "EnergyMessage",
+    "HeldForce",
+    "available_energy",
+    "book_end",
+    "checked_toll",
+    "checked_virtual_coupling",
+    "coupling_at",
+    "device_couplings",
+    "encoder_toll",
+    "end_row",
+    "hear",
+    "hear_end",
+    "hold_gap",
+    "message_of",
+    "modulate",
+    "modulation_bound",
+    "opening_energy",
+    "place_at_rest",
+    "register_coupling",
+    "rest_fraction",
+    "run_end",
+    "share",
+    "squared",
+    "unseen_place",
+    "virtual_coupling_limit",
+]

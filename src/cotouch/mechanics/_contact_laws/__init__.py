@@ -1,0 +1,1 @@
+"""Contact laws: pressure and energy by depth, one file for each."""

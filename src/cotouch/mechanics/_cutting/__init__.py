@@ -1,0 +1,1 @@
+"""Cutting: which elements a blade takes away, and what they held."""

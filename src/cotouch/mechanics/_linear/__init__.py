@@ -1,0 +1,1 @@
+"""The linear step: matrices, state, solver, and one NPMI step of a copy."""

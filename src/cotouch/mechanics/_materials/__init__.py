@@ -1,0 +1,1 @@
+"""Body forces: energy, gradient, mean force and direction, one file for each."""

@@ -1,0 +1,1 @@
+"""What skins meet: obstacles, other bodies, themselves, and tools that are bodies."""
