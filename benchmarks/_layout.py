@@ -31,7 +31,7 @@ _LAWS = (
 # In the order of the file.
 SECTIONS = {
     "engine": Section("python -m benchmarks.engine", "One run of the paper's scenario, with all that a user waits for"),
-    "step": Section("python -m benchmarks.step", "Time of one step of one user's copy; lattices have six neighbours"),
+    "step": Section("python -m benchmarks.step", "Time of one step of one user's copy, by body"),
     "scaling": Section("python -m benchmarks.scaling", "Time and memory of a step as bodies and sessions grow"),
     "touch": Section("python -m benchmarks.touch", "Median time of a step of 1 ms, and what tools add to it"),
     "materials": Section(
@@ -95,6 +95,8 @@ def laid_out(section: str, rows: Sequence[Row]) -> list[str]:
     """
     if section == "codec":
         return _codec(rows)
+    if section == "scaling":
+        return _plain(each for row in rows for each in _by_size(row))
     if any(row.what == "networks" for row in rows):
         return _networks(rows)
     return _plain(rows)
@@ -107,6 +109,17 @@ def _table(headings: Sequence[str], lines: Iterable[Sequence[str]]) -> list[str]
 
 def _plain(rows: Iterable[Row]) -> list[str]:
     return _table(["measured", "value", "goal", "note"], [row[1:] for row in rows])
+
+
+def _by_size(row: Row) -> list[Row]:
+    """A row for each size of a list such as `1: 0.1, 1,000: 64.1`; else the row as it is."""
+    sizes = [part.split(": ") for part in row.value.split(", ")]
+    if any(len(size) != 2 for size in sizes):
+        return [row]
+    return [
+        row._replace(what=f"{row.what}: {size}", value=value, note="" if k else row.note)
+        for k, (size, value) in enumerate(sizes)
+    ]
 
 
 def _networks(rows: Sequence[Row]) -> list[str]:
