@@ -137,7 +137,7 @@ def _predicted(prepared: Prepared, user: int, node: int, axis: int, tones: Float
     wide = rows // body.nodes
     # A sample is of mid-step, and its force acts at mid-step in the mean.
     delay = np.zeros((count, count))
-    for s, (i, j) in enumerate(zip(slots.receiver, slots.sender, strict=True)):
+    for s, (i, j) in enumerate(slots.pairs):
         heard = np.flatnonzero(timing.used[s, : timing.count[i]] >= 0)
         delay[i, j] = float((timing.age[s, heard] - 0.5 * timing.length[i, heard]).mean()) if heard.size else 0.0
     hands = [np.zeros((2, rows)) for _ in range(count)]
@@ -150,7 +150,7 @@ def _predicted(prepared: Prepared, user: int, node: int, axis: int, tones: Float
     for index, s in enumerate(2j * np.pi * tones):
         own = local.astype(np.complex128)
         between = np.zeros((count, count), dtype=np.complex128)
-        for slot, (i, j) in enumerate(zip(slots.receiver, slots.sender, strict=True)):
+        for slot, (i, j) in enumerate(slots.pairs):
             assert linear is not None  # there is a link
             tone = Tone(
                 s=complex(s),
