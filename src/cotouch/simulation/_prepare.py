@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 from typing import Literal, final
 
 import numpy as np
-from pydantic import ValidationError
 
 from cotouch.arrays import Float, Int
 from cotouch.body import Body
@@ -20,7 +19,7 @@ from cotouch.scenario import (
     leading_of,
     per_user,
     ports_of,
-    sentence,
+    refusing,
     touching_of,
     with_tools,
 )
@@ -182,10 +181,8 @@ def with_hands(prepared: Prepared, hands: Sequence[Mapping[str, object]]) -> Pre
     """
     if prepared.touching is not None or prepared.rigid_tools:
         raise ScenarioError("there are tools; hands of a prepared run can be changed only without them")
-    try:
+    with refusing("the hands"):
         tables = [HandTable.model_validate(table) for table in hands]
-    except ValidationError as error:
-        raise ScenarioError(sentence(error, "the hands")) from None
     scenario = prepared.scenario.model_copy(update={"hands": tables})
     body = prepared.body
     ports, of_hand = ports_of(scenario.hands, scenario.network.size, body, prepared.model)
