@@ -251,23 +251,22 @@ def danger(cell: MapCell) -> Mapped:
         cell: `study`, `setting`, and the delays.
     """
     study, setting = Study.make(**cell["study"]), cell["setting"]
-    risky: list[bool] = []
-    costs: list[float] = []
-    restless: list[float] = []
+    found: list[tuple[bool, float, float]] = []
     for delay in cell["delay"]:
         network = NetworkTable(name="map", delay=delay)
         here = study.model_copy(update={"networks": [network]})
         try:
-            risky.append(dangerous(here, here.laws[0], network, 2, here.hands[0], setting))
+            risky = dangerous(here, here.laws[0], network, 2, here.hands[0], setting)
             prepared = drawn(here, 0, setting)
-            values = [_one(here, prepared, here.hands[0], task, 0)["cost"] for task in here.tasks]
-            costs.append(float(np.mean(values)))
-            restless.append(_one(here, prepared, here.hands[0], "hold", 0)["restless"])
+            cost = float(np.mean([_one(here, prepared, here.hands[0], task, 0)["cost"] for task in here.tasks]))
+            found.append((risky, cost, _one(here, prepared, here.hands[0], "hold", 0)["restless"]))
         except CotouchError:
-            risky.append(True)
-            costs.append(float("inf"))
-            restless.append(float("inf"))
-    return {"dangerous": risky, "cost": costs, "restless": restless}
+            found.append((True, float("inf"), float("inf")))
+    return {
+        "dangerous": [risky for risky, _, _ in found],
+        "cost": [cost for _, cost, _ in found],
+        "restless": [restless for _, _, restless in found],
+    }
 
 
 def law_time(study: Study, law: LawTable) -> float:

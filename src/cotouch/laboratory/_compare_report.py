@@ -47,7 +47,7 @@ def write_report(data: "xr.Dataset", path: Path) -> Path:
         sections = [_losses(data, study), *_costs(data, study), _details(data, study)]
         if "map_cost" in data:
             sections.append(_maps(data))
-        sections += [*_fronts(data, study), _price(data), _method(data, study)]
+        sections += [*_fronts(data, study), _price(data, study), _method(data, study)]
     footer = f"cotouch {escape(data.attrs['version'])}. All numbers are in results.nc beside this page."
     html = page(title=study.title, lead=_lead(data, study), sections=sections, footer=footer)
     write(path, html.encode("utf-8"), "report")
@@ -301,8 +301,8 @@ def _fronts(data: "xr.Dataset", study: Study) -> list[Section]:
     return [Section(anchor="fronts", title="Trade-offs", body=body)] if body else []
 
 
-def _price(data: "xr.Dataset") -> Section:
-    rate = 1.0 / Study.make(**json.loads(data.attrs["study"])).period
+def _price(data: "xr.Dataset", study: Study) -> Section:
+    rate = 1.0 / study.period
     rows = [
         [
             escape(law),

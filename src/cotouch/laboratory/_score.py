@@ -10,8 +10,9 @@ from cotouch.laboratory._replicas._kinds import REPLICAS
 from cotouch.laboratory._replicas._replica import Moved, replicate
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
 from cotouch.laboratory._tasks import Task
+from cotouch.laboratory._trials import energy_of
 from cotouch.laws import law_named
-from cotouch.simulation import TICK_RESIDUAL, TICK_STORED, Outcome, Prepared, prepare, run_prepared, with_hands
+from cotouch.simulation import TICK_STORED, Prepared, prepare, run_prepared, with_hands
 
 # Errors of place count in units of this [m].
 PLACE = 0.01
@@ -53,13 +54,12 @@ def moved(law: LawTable, prepared: Prepared) -> Moved:
         return replicate(REPLICAS[law.replica], prepared)
     outcome = run_prepared(prepared)
     steps, finite = int(outcome.taken.min()), outcome.events == prepared.schedule.order.size
-    seed = float(outcome.record.links[0].sum()) if prepared.law is None else prepared.law.initial_energy
-    made = float(outcome.record.made[0]) - seed
+    energy = energy_of(prepared, outcome)
     return Moved(
         place=places(outcome),
         velocity=outcome.record.velocity[:, : steps + 1],
         force=forces(prepared, outcome),
-        made=max(made, 0.0) if made > 1e-9 * _play(outcome) else 0.0,
+        made=energy.beyond if energy.beyond > 1e-9 * energy.play else 0.0,
         extracted=max(0.0, -float(outcome.record.lowest[0] + outcome.record.ticks[TICK_STORED, 0])),
         corrected=0.0,
         finite=bool(finite and np.isfinite(outcome.position).all()),
@@ -184,10 +184,6 @@ def dangerous(
 def promises(law: LawTable) -> bool:
     """Whether a law of a study promises to make no energy beyond its initial one."""
     return law.replica is None and law_named(law.kind).passive and law.damping is None
-
-
-def _play(outcome: Outcome) -> float:
-    return float(np.nanmax(np.abs(outcome.record.ticks[:TICK_RESIDUAL]), initial=0.0))
 
 
 def said_of(law: LawTable) -> tuple[tuple[str, ...], str]:

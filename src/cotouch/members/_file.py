@@ -8,7 +8,7 @@ from pathlib import Path, PurePosixPath
 from typing import Annotated, Literal, NamedTuple, Self, final
 
 import numpy as np
-from pydantic import Field, ValidationError, model_validator
+from pydantic import Field, model_validator
 
 from cotouch.errors import ScenarioError, SessionError
 from cotouch.files import look, read_bytes, read_text, table_of, toml
@@ -25,7 +25,7 @@ from cotouch.scenario import (
     Scenario,
     Table,
     per_user,
-    sentence,
+    refusing,
     tables_with_file,
     with_law_of_session,
 )
@@ -300,10 +300,8 @@ def _take_law(tables: dict[str, object], law: str) -> None:
 def _made(tables: dict[str, object], source: str, folder: Path | None) -> tuple[Scenario, SessionTable]:
     given = tables.get("session", {})
     tables = with_law_of_session({name: table for name, table in tables.items() if name != "session"}, given)
-    try:
+    with refusing(source, SessionError):
         options = _Whole.model_validate({"session": given}).session
-    except ValidationError as error:
-        raise SessionError(sentence(error, source)) from None
     users = options.users
     if users is not None:
         if "network" in tables:

@@ -194,7 +194,7 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
     put("time", ("user", "step"), time, everyone)
     put("period", ("user", "step"), period, everyone)
 
-    hand_force = _hand_forces(prepared, record.force, axes)
+    hand_force = hand_forces(prepared, record.force, axes)
     force = np.zeros((users, records, axes))
     for index, hand in enumerate(scenario.hands):
         force[hand.user - 1] += hand_force[index]
@@ -265,8 +265,14 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
     ).set_coords(["time", "tick_time"])
 
 
-def _hand_forces(prepared: Prepared, force: Float, axes: int) -> Float:
-    """Force of every hand from those of its ports, (hands, records, axes) [N]; no copy where each port is a hand's."""
+def hand_forces(prepared: Prepared, force: Float, axes: int) -> Float:
+    """Force of every hand, (hands, records, axes) [N]; no copy where each port is a hand's.
+
+    Args:
+        prepared: what was run.
+        force: of the ports, (ports, records, width) [N].
+        axes: of a hand with one port.
+    """
     ports = prepared.ports
     if ports.shape[1] > 1:
         return np.ascontiguousarray(force[ports, :, 0].transpose(0, 2, 1))
