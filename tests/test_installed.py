@@ -9,10 +9,14 @@ from pathlib import Path
 import pytest
 from tests.conftest import IMPORTS
 
-from cotouch.errors import NetworkError, ScenarioError
-from cotouch.installed import installed_names
-from cotouch.laws import law_named, laws
+from cotouch.body import is_solid_model, solid_models
+from cotouch.device import installed_coupling
+from cotouch.errors import BodyError, DeviceError, NetworkError, ScenarioError
+from cotouch.haptics import driver
+from cotouch.installed import installed, installed_names
+from cotouch.laws import Law, law_named, laws
 from cotouch.mechanics import CONTACT_LAWS, contact_law_named
+from cotouch.scenario import Scenario
 
 DOCS = Path(__file__).parents[1] / "docs"
 PAGES = {"my_law": DOCS / "laws.md", "my_contact": DOCS / "extending.md"}
@@ -86,12 +90,76 @@ def test_a_command_finds_them(install: Install) -> None:
         ("other = my_law:AHEAD", "other", 'the law "other" calls itself "ahead"; its entry point must have this name'),
         ("copied = my_law:copy", "copied", 'the law "copied" is a .*; it must be a cotouch.laws.Law'),
         ("none = no_such_module:LAW", "none", 'the law "none" cannot be loaded: No module'),
+        ("ends = ends:LAW", "ends", 'the law "ends" cannot be loaded: that is all$'),
+        ("silent = silent:LAW", "silent", 'the law "silent" cannot be loaded: AssertionError$'),
     ],
 )
 def test_what_is_wrong_with_a_law_is_a_sentence(install: Install, entry: str, asked: str, words: str) -> None:
-    install(f"[cotouch.laws]\n{entry}\n")
+    folder = install(f"[cotouch.laws]\n{entry}\n")
+    (folder / "ends.py").write_text("raise SystemExit('that is all')", encoding="utf-8")
+    (folder / "silent.py").write_text("assert False", encoding="utf-8")
     with pytest.raises(NetworkError, match=words):
         law_named(asked)
+
+
+def packed(folder: Path, name: str, entries: str) -> None:
+    """Another package."""
+    info = folder / f"{name}-1.0.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n", encoding="utf-8")
+    (info / "entry_points.txt").write_text(entries, encoding="utf-8")
+
+
+def test_a_name_that_two_packages_bring_is_refused_unless_it_is_the_same_thing(install: Install) -> None:
+    """Whichever came first on the path was taken without a word: a law, or a driver for somebody's device."""
+    entries = "[cotouch.laws]\nahead = my_law:{}\n[cotouch.devices]\nhaply = my_law:AHEAD\n"
+    folder = install(entries.format("AHEAD"))
+    packed(folder, "renamed", "[cotouch.laws]\nahead = my_law:AHEAD\n")
+    assert law_named("ahead").name == "ahead"
+    packed(folder, "theirs", entries.format("copy"))
+    with pytest.raises(NetworkError, match='the law "ahead" is brought by the packages mine and theirs; uninstall all'):
+        installed("cotouch.laws", "ahead", Law, what="law", error=NetworkError)
+    with pytest.raises(DeviceError, match='the driver "haply" is brought by the packages cotouch and mine'):
+        driver("haply")
+
+
+def contact_of(name: str, **parameters: float) -> object:
+    pair = {"users": ["a", "b"], "spring": [[0, 1], [1, 0]], "delay": [[0, 0.1], [0.1, 0]]}
+    return Scenario.make(network=pair, contact={"law": name, "parameters": parameters}).contact.made()
+
+
+def test_a_contact_law_is_tried_with_the_parameters_that_it_is_given(install: Install) -> None:
+    folder = install("[cotouch.contact_laws]\nsoft = my_contact:Soft\n")
+    page = folder / "my_contact.py"
+    text = page.read_text(encoding="utf-8")
+    page.write_text(text.replace("3.0 * modulus * depth**2", "3.0 * modulus**law.share * depth**2"), encoding="utf-8")
+    assert str(contact_of("soft", share=1.0)) == "Soft(share=1.0)"
+    with pytest.raises(ScenarioError, match=r'"soft" breaks the interface with Soft\(share=2.0\): pressure is not the'):
+        contact_of("soft", share=2.0)
+
+
+def test_a_package_cannot_take_a_name_of_cotouch_s_own(install: Install) -> None:
+    """It was installed for nothing: cotouch's own ran in its place, and nobody said so."""
+    install(
+        "[cotouch.laws]\nwave = my_law:AHEAD\n[cotouch.couplings]\npspm = my_law:AHEAD\n"
+        "[cotouch.materials]\nneo-hookean = my_law:AHEAD\n[cotouch.contact_laws]\nfoundation = my_contact:Soft\n"
+    )
+    assert law_named("paid").name == "paid"
+    for named, name, what, error in (
+        (law_named, "wave", "law", NetworkError),
+        (installed_coupling, "pspm", "coupling", DeviceError),
+        (is_solid_model, "neo-hookean", "material", BodyError),
+        (contact_of, "foundation", "contact law", ScenarioError),
+    ):
+        with pytest.raises(error, match=f'the {what} "{name}" is cotouch\'s own, but the package mine brings one'):
+            named(name)
+
+
+def test_a_material_that_its_module_does_not_register_is_a_sentence(install: Install) -> None:
+    install("[cotouch.materials]\nfoam = my_law:AHEAD\n")
+    assert solid_models()[-2:] == ("foam", "rigid")
+    with pytest.raises(BodyError, match='the material "foam" has an entry point, but its module registers none'):
+        is_solid_model("foam")
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,7 @@
 """What every device coupling must do: conformance over the registry, and the accounts of both ends."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -13,6 +13,7 @@ from cotouch.coupling import (
     EnergyMessage,
     HeldForce,
     book_end,
+    conform_coupling,
     device_couplings,
     end_row,
     hear,
@@ -239,6 +240,80 @@ def test_gifts_keep_every_joule() -> None:
         assert a[END.received] <= b[END.given] + 1e-15
         assert b[END.received] <= a[END.given] + 1e-15
     assert rows[:, END.given].min() > 1e-3
+
+
+@pytest.mark.parametrize("law", EVERY, ids=lambda law: law.name)
+def test_every_coupling_conforms(law: DeviceCoupling) -> None:
+    assert conform_coupling(law) == []
+
+
+def _lost(end: Float) -> None:
+    hold_gap(end, 0.0, 1.0, np.sqrt(-1.0 - end[END.energy] ** 2), 0.0)
+
+
+def _pushes(end: Float) -> None:
+    hold_gap(end, 0.0, 1.0, -end[END.damping], 0.0)
+
+
+def _hides(end: Float) -> None:
+    hold_gap(end, 1.0, 1.0, 0.0, 0.0)
+    end[END.held] = 0.0
+
+
+def _richer(end: Float) -> None:
+    end[END.energy] += 1.0
+    hold_gap(end, 0.0, 1.0, 0.0, 0.0)
+
+
+def _astray(end: Float) -> None:
+    for axis in range(3):
+        end[END.stretch + axis] = 1e-6
+    end[END.spring] = end[END.stiffness]
+    end[END.held] = 1.5e-12 * end[END.spring]
+    end[END.starved] = end[END.known]
+
+
+def _content(end: Float) -> None:
+    hold_gap(end, 0.0, 1.0, 0.0, 0.0)
+    end[END.starved] = 0.0
+
+
+def _too_far(end: Float) -> None:
+    hold_gap(end, 0.0, 1.0, 0.0, 0.0)
+    end[END.fraction] = 1.5
+    end[END.starved] = 0.0
+
+
+@pytest.mark.parametrize(
+    ("half", "said"),
+    [
+        (_lost, "what it writes is no number"),
+        (_pushes, "its spring or its damper is below 0"),
+        (_hides, "held is not the energy of its spring, ½ k ‖stretch‖²"),
+        (_greedy, "its spring holds more energy than its end has"),
+        (_richer, "it changes the energy of its end otherwise than by share, pool and discard"),
+        (_astray, "it has a spring where no place is known"),
+        (_content, "starved does not say whether it follows only in part"),
+        (_too_far, "its fraction is not from 0 to 1"),
+    ],
+)
+def test_what_breaks_the_interface_is_said_of_either_end(half: Callable[[Float], None], said: str) -> None:
+    sound = device_couplings()["pspm"]
+    assert f"{said} (device)" in conform_coupling(replace(sound, name="odd", device=half, _made={}))
+    assert f"{said} (proxy)" in conform_coupling(replace(sound, name="odd", proxy=half, _made={}))
+
+
+@pytest.mark.parametrize(
+    ("bound", "said"),
+    [
+        (lambda held: 1.0 / 0.0, "bound cannot be worked out: float division by zero (ZeroDivisionError)"),
+        (lambda held: np.nan, "bound is nan J; it must be a finite number of at least 0"),
+        (lambda held: -1e-3, "bound is -0.001 J; it must be a finite number of at least 0"),
+    ],
+)
+def test_a_bound_that_is_none_is_said(bound: Callable[[HeldForce], float], said: str) -> None:
+    sound = device_couplings()["pspm"]
+    assert conform_coupling(replace(sound, name="odd", bound=bound, _made={})) == [said]
 
 
 def _beyond(end: Float) -> None:

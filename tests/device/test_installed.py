@@ -84,3 +84,14 @@ def test_what_is_wrong_is_a_sentence(install: Install, name: str, value: str, as
             steps={"duration": 0.1},
             tools=[{"user": 1, "at": [0.0, 0.0, 0.0], "device": {"coupling": asked}}],
         )
+
+
+def test_a_coupling_that_holds_more_than_there_is_is_refused_before_anything_hangs_on_it(install: Install) -> None:
+    """It ran: a damper below 0 gave a hand 6e99 J, and one that was no number ended the member's process."""
+    folder = install()
+    page = folder / "my_coupling.py"
+    text = page.read_text(encoding="utf-8")
+    page.write_text(text.replace("hold_gap(end, fraction,", "hold_gap(end, 1.0,"), encoding="utf-8")
+    with pytest.raises(DeviceError, match='the coupling "slipping" breaks the interface: its spring holds more energy'):
+        installed_coupling("slipping")
+    assert "slipping" not in device_couplings()

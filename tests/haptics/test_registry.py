@@ -1,5 +1,9 @@
 """Drivers by name, what is asked of them in words, and the frames of devices."""
 
+from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -11,6 +15,7 @@ from cotouch.haptics import (
     OPENHAPTICS_FRAME,
     OPENXR_FRAME,
     SIMULATED,
+    Device,
     DeviceChoice,
     DeviceFrame,
     device_names,
@@ -20,6 +25,23 @@ from cotouch.haptics import (
 )
 
 NOT_A_DRIVER = 7
+
+
+def fails(**options: object) -> Device:
+    raise ValueError("no number")
+
+
+def refuses(**options: object) -> Device:
+    raise DeviceError("the option is 7; it must be less")
+
+
+def incomplete(**options: object) -> Any:
+    return SimpleNamespace(spec=SIMULATED.spec, open=print, close=print)
+
+
+INCOMPLETE = replace(SIMULATED, make=incomplete)
+FAILS = replace(SIMULATED, make=fails)
+REFUSES = replace(SIMULATED, make=refuses)
 
 
 def test_the_package_registers_its_own_as_others_do():
@@ -124,3 +146,23 @@ def test_orientations_turn_about_the_same_axis():
 def test_frames_that_are_none_are_refused(rows: tuple[int, int, int], unit: float):
     with pytest.raises(DeviceError, match="must be"):
         DeviceFrame(rows, unit)
+
+
+def test_a_driver_that_cannot_make_its_device_is_a_sentence():
+    with pytest.raises(DeviceError, match=r"cannot be made: no number \(ValueError\); its driver must refuse options"):
+        make_device(f"{__name__}/FAILS")
+    with pytest.raises(DeviceError, match=r"^the option is 7; it must be less$"):
+        make_device(f"{__name__}/REFUSES")
+
+
+def test_a_driver_has_the_name_of_its_entry_point(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr("cotouch.haptics._registry.installed", lambda *a, **k: SIMULATED)
+    with pytest.raises(DeviceError, match='the driver "pantograph" calls itself "simulated"; its entry point must'):
+        driver("pantograph")
+
+
+def test_a_device_that_lacks_a_member_is_a_sentence_before_it_is_opened(capsys: pytest.CaptureFixture[str]):
+    """The servo ended with a traceback where it wanted to stop it."""
+    with pytest.raises(DeviceError, match=r"has no calibrate, enable_force, exchange, stop; it must have every member"):
+        open_device(f"{__name__}/INCOMPLETE")
+    assert capsys.readouterr().out == ""

@@ -18,9 +18,11 @@ from cotouch.laws import (
     WAVE,
     BoundEnd,
     End,
+    Facts,
     Law,
     OriginForce,
     Parameter,
+    Tone,
     brake,
     copy,
     given_power,
@@ -29,7 +31,7 @@ from cotouch.laws import (
     square,
 )
 from cotouch.scenario import Scenario
-from cotouch.simulation import judge, prepare, simulate
+from cotouch.simulation import judge, prepare, simulate, summary
 
 
 # --- a law: a spring to where the neighbour will be, if it goes on as it goes ----------------------------------------
@@ -154,6 +156,25 @@ def test_a_law_whose_motion_leaves_floating_point_keeps_no_promise() -> None:
     assert judged["made_j"] == inf
 
 
+def _mad_at_once(end: End) -> None:
+    end.push[0] = nan
+    end.gains[1] = 1.0
+
+
+@pytest.mark.parametrize(("half", "steps"), [(_mad_at_once, 0), (_too_far, 11)])
+def test_the_step_in_which_the_motion_leaves_floating_point_is_none_of_the_run(half: Any, steps: int) -> None:
+    """What was in memory before was shown as where users were after that step, and as energies."""
+    register(Law(name="mad", before=half, after=_silent))
+    mad = scenario("mad", steps={"duration": 0.1})
+    run = simulate(mad)
+    found = summary(run, mad.build_body())
+    assert found["steps"] == run.attrs["steps"] == steps
+    assert np.isfinite(run.position.values).any(axis=(0, 2, 3)).tolist() == [True] * (steps + 1) + [False] * (
+        100 - steps
+    )
+    assert np.isfinite([*found["age_s"].values(), *found["energy_j"].values()]).all()
+
+
 def _slip(end: End) -> None:
     end.gains[0] = end.sprung  # pyright: ignore[reportAttributeAccessIssue]
 
@@ -191,6 +212,57 @@ def test_what_cannot_be_compiled_is_one_sentence(half: Any, cause: str) -> None:
         with pytest.raises(NetworkError, match=f'^law "wrong" cannot be compiled: .*{cause}') as caught:
             _ = law.parts
         assert "\n" not in str(caught.value)
+
+
+def _raises(end: End) -> None:
+    if end.step > 3:
+        raise ValueError
+
+
+def _asserts_within(end: End) -> None:
+    _positive(end.T)
+
+
+def _positive(number: float) -> None:
+    assert number > 0.0
+
+
+@pytest.mark.parametrize("half", [_raises, _asserts_within])
+def test_what_raises_is_refused_as_nobody_would_hear_of_it(half: Any) -> None:
+    """Machine code wrote the error to the terminal in every step, and the run went on with what was written before."""
+    law = Law(name="wrong", before=half, after=_silent)
+    with pytest.raises(NetworkError, match=r'^law "wrong" raises an error or asserts \(test_own_law.py, line \d+\)'):
+        _ = law.parts
+
+
+@pytest.mark.parametrize(
+    ("default", "sentence"),
+    [
+        (lambda facts: 1.0 / 0.0, r'the default of "share" cannot be worked out: .*division by zero \(ZeroDivisionEr'),
+        (lambda facts: nan, 'the default of "share" is nan; it must be a number from 0 to 1'),
+        (2.0, 'the default of "share" is 2; it must be a number from 0 to 1'),
+    ],
+)
+def test_a_default_that_is_none_is_one_sentence(default: Any, sentence: str) -> None:
+    share = Parameter(name="share", meaning="of nothing", default=default, most=1.0)
+    with pytest.raises(NetworkError, match=f'^law "wrong": {sentence}'):
+        Law(name="wrong", before=_silent, after=_silent, parameters=(share,)).values(
+            Facts(spring=50.0, age=0.1, age_back=0.1), {}
+        )
+
+
+@pytest.mark.parametrize(
+    ("linear", "sentence"),
+    [
+        (lambda tone: 1 / 0, r"linear\(tone\) cannot be worked out: division by zero \(ZeroDivisionError\)$"),
+        (lambda tone: tone.s, r"linear\(tone\) cannot be worked out: .*\(TypeError\)$"),
+        (lambda tone: (nan, tone.s), r"linear\(tone\) is nan.*, 0\+2j at 2 1/s; it must be finite$"),
+    ],
+)
+def test_a_linear_law_that_is_none_is_one_sentence(linear: Any, sentence: str) -> None:
+    law = Law(name="wrong", before=_silent, after=_silent, linear=linear)
+    with pytest.raises(NetworkError, match=f'^law "wrong": {sentence}'):
+        law.response(Tone(s=2j, spring=50.0, parameters=(), there=1.0, back=1.0))
 
 
 def _too_many_rows(end: End) -> None:

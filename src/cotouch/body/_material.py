@@ -9,7 +9,7 @@ import numpy as np
 from cotouch.arrays import Float, Long, extents
 from cotouch.body._strains import frame_of
 from cotouch.errors import BodyError
-from cotouch.installed import installed
+from cotouch.installed import check_own_name, installed
 
 Frame: TypeAlias = Literal["fixed", "floating"]
 
@@ -18,6 +18,7 @@ _CORNERS = {"spring-network": 2, "cells": 8, "rigid": 4}
 _WITHOUT = ("linear", "floating", "several")
 # Laws of tetrahedra, and what each needs Poisson's ratio to be above.
 _SOLIDS = {"corotated": -1.0, "st-venant-kirchhoff": -1.0, "neo-hookean": 0.0}
+_OWN = frozenset(_SOLIDS)
 # Entry points of those that other packages bring.
 GROUP = "cotouch.materials"
 
@@ -44,10 +45,18 @@ def is_solid_law(name: str) -> bool:
         name: of a model.
 
     Raises:
-        BodyError: it cannot be loaded.
+        BodyError: it cannot be loaded, or registers no material of this name; or it is cotouch's own, and a package
+            brings one of the same name.
     """
-    if name not in _SOLIDS:
-        installed(GROUP, name, object, what="material", error=BodyError)  # its module registers it
+    if name in _OWN:
+        check_own_name(GROUP, name, what="material", error=BodyError)
+    elif name not in _SOLIDS:
+        loaded = installed(GROUP, name, object, what="material", error=BodyError)  # its module registers it
+        if loaded is not None and name not in _SOLIDS:
+            raise BodyError(
+                f'the material "{name}" has an entry point, but its module registers none of this name; '
+                "register_solid must get the name of the entry point"
+            )
     return name in _SOLIDS
 
 

@@ -9,8 +9,9 @@ from cotouch.arrays import Float, Long
 from cotouch.body import _elasticity as elasticity
 from cotouch.body._cells import Cells
 from cotouch.body._checks import at_least_zero, one_number
-from cotouch.body._material import Frame, Material, is_solid_law, least_poisson, linear_material, solid_laws
+from cotouch.body._material import GROUP, Frame, Material, is_solid_law, least_poisson, linear_material, solid_laws
 from cotouch.errors import BodyError
+from cotouch.installed import installed_names
 
 # What follows K and B as they are, in a frame; and with what turns by itself.
 LinearModel: TypeAlias = Literal["springs", "elastic"]
@@ -19,13 +20,15 @@ SurfaceModel: TypeAlias = Literal["springs", "elastic", "cells", "spring-network
 _OF_SPRINGS: Final = ("springs", "cells", "spring-network")
 # Above this Poisson's ratio linear elements lock: they turn out much too stiff.
 _LOCKS: Final = 0.45
+# Of tetrahedra, besides the laws of their own.
+_SOLID_MODELS: Final = ("springs", "elastic", "spring-network", "rigid")
 # Springs along edges and across faces of cubes have this share of E h [N/m]; see `network_of_cells`.
 _NETWORK: Final = 0.4
 
 
 def solid_models() -> tuple[str, ...]:
-    """Names of models of a mesh of tetrahedra."""
-    return ("springs", "elastic", "spring-network", *solid_laws(), "rigid")
+    """Names of models of a mesh of tetrahedra, with those that installed packages bring."""
+    return tuple(dict.fromkeys([*_SOLID_MODELS[:-1], *solid_laws(), *installed_names(GROUP), *_SOLID_MODELS[-1:]]))
 
 
 def is_solid_model(name: str) -> bool:
@@ -34,7 +37,7 @@ def is_solid_model(name: str) -> bool:
     Args:
         name: of the model.
     """
-    return name in solid_models() or is_solid_law(name)
+    return name in _SOLID_MODELS or is_solid_law(name)
 
 
 def of_cells(

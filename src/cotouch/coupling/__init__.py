@@ -1,18 +1,22 @@
 """What joins a device to its proxy without making energy: one law for simulated devices and for servos."""
 
+from cotouch.coupling._conform import conform_coupling
 from cotouch.coupling._end import (
     END,
     EndFields,
     EnergyMessage,
     available_energy,
     book_end,
+    discard,
     end_row,
     hear,
     hear_end,
     hold_gap,
     message_of,
+    pool,
     share,
     squared,
+    unheard,
 )
 from cotouch.coupling._law import DeviceCoupling, HeldForce, coupling_at, device_couplings, register_coupling, run_end
 from cotouch.coupling._modulation import (
@@ -41,8 +45,10 @@ __all__ = [
     "book_end",
     "checked_toll",
     "checked_virtual_coupling",
+    "conform_coupling",
     "coupling_at",
     "device_couplings",
+    "discard",
     "encoder_toll",
     "end_row",
     "hear",
@@ -53,11 +59,13 @@ __all__ = [
     "modulation_bound",
     "opening_energy",
     "place_at_rest",
+    "pool",
     "register_coupling",
     "rest_fraction",
     "run_end",
     "share",
     "squared",
+    "unheard",
     "unseen_place",
     "virtual_coupling_limit",
 ]

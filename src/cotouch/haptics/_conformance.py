@@ -16,7 +16,7 @@ from typing import cast, final
 import numpy as np
 
 from cotouch.errors import DeviceError
-from cotouch.haptics._device import Device, DeviceReading, Flag, TorqueDevice
+from cotouch.haptics._device import Device, DeviceReading, Flag, TorqueDevice, lacks
 from cotouch.haptics._turning import ARM
 
 # Longest that an exchange may take, by the interface [s]; a loaded machine gets as much again.
@@ -26,7 +26,6 @@ _GENTLE = 0.05
 # Fastest that a device may say it moves while nobody does anything violent with it [m/s].
 _FASTEST = 20.0
 _ZERO = np.zeros(3)
-_MEMBERS = ("spec", "open", "calibrate", "enable_force", "exchange", "stop", "close")
 # And torque: what that is at the end of a grip.
 _LIGHT = ARM * _GENTLE
 
@@ -70,7 +69,7 @@ def conform(
         What was found, in order; what came after an error is missing.
     """
     device = make()
-    missing = [name for name in _MEMBERS if not hasattr(device, name)]
+    missing = lacks(device)
     if missing:
         return [CheckResult("it has every member", False, f"{', '.join(missing)} missing")]
     found: list[CheckResult] = []

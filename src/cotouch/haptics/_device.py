@@ -150,3 +150,15 @@ class TorqueDevice(Device, Protocol):
             DeviceError: a fault; motors are off or will be by the device's own watchdog.
         """
         ...
+
+
+_MEMBERS = ("spec", "open", "calibrate", "enable_force", "exchange", "stop", "close")
+
+
+def lacks(device: object) -> list[str]:
+    """Members of `Device` that an object does not have.
+
+    Args:
+        device: that a driver made.
+    """
+    return [name for name in _MEMBERS if not hasattr(device, name)]

@@ -15,8 +15,8 @@ from typing import final
 
 from cotouch.device import DeviceSpec
 from cotouch.errors import DeviceError
-from cotouch.haptics._device import Device
-from cotouch.installed import installed, installed_names
+from cotouch.haptics._device import Device, lacks
+from cotouch.installed import cause_of, installed, installed_names
 
 GROUP = "cotouch.devices"
 Option = str | int | float | bool
@@ -123,12 +123,14 @@ def driver(name: str) -> Driver:
         found = installed(GROUP, name, Driver, what="driver", error=DeviceError)
         if found is None:
             raise DeviceError(f'device is "{name}"; it must be one of {", ".join(device_names()) or "none: reinstall"}')
+        if found.name != name:
+            raise DeviceError(f'the driver "{name}" calls itself "{found.name}"; its entry point must have this name')
         return found
     module, _, attribute = name.partition("/")
     try:
         loaded: object = getattr(import_module(module), attribute)
-    except Exception as error:  # a driver of others may fail in any way
-        raise DeviceError(f'the driver "{name}" cannot be loaded: {error}') from error
+    except (Exception, SystemExit) as error:  # a driver of others may fail in any way
+        raise DeviceError(f'the driver "{name}" cannot be loaded: {cause_of(error)}') from error
     if not isinstance(loaded, Driver):
         raise DeviceError(f'the driver "{name}" is a {type(loaded).__name__}; it must be a cotouch.haptics.Driver')
     return loaded
@@ -153,7 +155,15 @@ def make_device(name: str, **options: Option) -> Device:
     if variant is not None and variant not in chosen.variants:
         allowed = ", ".join(chosen.variants) or "none"
         raise DeviceError(f'the device "{name}" has no variant "{variant}"; its variants: {allowed}')
-    return chosen.make(**options)
+    try:
+        return chosen.make(**options)
+    except DeviceError:
+        raise
+    except Exception as error:  # a driver of others may fail in any way
+        raise DeviceError(
+            f'the device "{name}" cannot be made: {cause_of(error)} ({type(error).__name__}); its driver must refuse '
+            "options that are wrong with a DeviceError"
+        ) from error
 
 
 def open_device(name: str, **options: Option) -> Device:
@@ -167,6 +177,11 @@ def open_device(name: str, **options: Option) -> Device:
         DeviceError: there is no such driver, an option is wrong, or the device does not open.
     """
     device = make_device(name, **options)
+    missing = lacks(device)
+    if missing:
+        raise DeviceError(
+            f'the device "{name}" has no {", ".join(missing)}; it must have every member of cotouch.haptics.Device'
+        )
     try:
         device.open()
     except BaseException:

@@ -12,6 +12,8 @@ from typing import TypeVar, final
 import numpy as np
 
 from cotouch.arrays import Array
+from cotouch.kernels import _vector
+from cotouch.kernels._four_numbers import AS_WRITTEN
 from cotouch.kernels._vector import at, put
 
 R = TypeVar("R")
@@ -24,7 +26,7 @@ def beyond(functions: Iterable[Callable[..., object]], calls: Iterable[tuple[obj
         functions: called one after the other.
         calls: arguments of each call.
     """
-    known: dict[int, object] = {id(at): _at, id(put): _put}
+    known = _known()
     plain = [_rebuilt(function, function, known) for function in functions]
     for arguments in calls:
         for function in plain:
@@ -45,12 +47,18 @@ def as_written(function: Callable[..., R]) -> Callable[..., R]:
     Args:
         function: compiled, or not.
     """
-    return _rebuilt(function, getattr(function, "py_func", function), {id(at): _at, id(put): _put})
+    return _rebuilt(function, getattr(function, "py_func", function), _known())
 
 
 def written_here(function: object) -> bool:
     """Whether a function or class is cotouch's own, whose indices its tests look after."""
     return getattr(function, "__module__", "").partition(".")[0] == "cotouch"
+
+
+def _known() -> dict[int, object]:
+    """What stands in for machine code that Python has no body of."""
+    numbers = {id(getattr(_vector, name)): stand for name, stand in AS_WRITTEN.items()}
+    return {id(at): _at, id(put): _put, **numbers}
 
 
 def _at(array: Array, index: int | tuple[int, ...]) -> object:

@@ -1,6 +1,7 @@
 """What machine vectors of four numbers can do, for functions that are run as they are written."""
 
 from collections.abc import Callable
+from math import sqrt
 from typing import final
 
 
@@ -24,6 +25,12 @@ class FourNumbers:
 
     def __bool__(self) -> bool:
         message = "it branches on what may be four numbers at once"
+        raise TypeError(message)
+
+    def __float__(self) -> float:
+        message = (
+            "a function of one number is asked for four at once; cotouch.kernels has root, size, lower, upper, where"
+        )
         raise TypeError(message)
 
     def __neg__(self) -> "FourNumbers":
@@ -50,3 +57,43 @@ def _compared(this: FourNumbers, other: "FourNumbers | float") -> FourNumbers:  
 
 for _name in ("lt", "le", "gt", "ge"):
     setattr(FourNumbers, f"__{_name}__", _compared)
+
+
+def _numbers(values: "tuple[FourNumbers | float, ...]") -> list[float]:
+    return [value.value if isinstance(value, FourNumbers) else value for value in values]
+
+
+def _as_they_are(function: Callable[..., float]) -> "Callable[..., FourNumbers | float]":
+    """The same of numbers, and of what stands for four of them."""
+
+    def apply(*values: FourNumbers | float) -> FourNumbers | float:
+        found = function(*_numbers(values))
+        return FourNumbers(found) if any(isinstance(value, FourNumbers) for value in values) else found
+
+    return apply
+
+
+def _size(number: float) -> float:
+    return abs(number)
+
+
+def _lower(left: float, right: float) -> float:
+    return min(right, left)
+
+
+def _upper(left: float, right: float) -> float:
+    return max(right, left)
+
+
+def _where(test: float, yes: float, no: float) -> float:
+    return yes if test > 0.0 else no
+
+
+# What machine vectors have functions of their own for; see `_vector.py`.
+AS_WRITTEN: "dict[str, Callable[..., FourNumbers | float]]" = {
+    "root": _as_they_are(sqrt),
+    "size": _as_they_are(_size),
+    "lower": _as_they_are(_lower),
+    "upper": _as_they_are(_upper),
+    "where": _as_they_are(_where),
+}

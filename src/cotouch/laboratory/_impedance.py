@@ -124,8 +124,7 @@ def _predicted(prepared: Prepared, user: int, node: int, axis: int, tones: Float
 
     scenario, body, timing = prepared.scenario, prepared.body, prepared.schedule
     law, given = given_law(scenario)
-    linear = law.linear
-    if linear is None and scenario.network.links:
+    if law.linear is None and scenario.network.links:
         return np.full(tones.size, np.nan + 0j)
     if body.rigid and any(hand.node > body.nodes for hand in scenario.hands):
         raise UnsupportedError("the felt impedance is predicted at nodes only, of a rigid body its four masses")
@@ -151,7 +150,6 @@ def _predicted(prepared: Prepared, user: int, node: int, axis: int, tones: Float
         own = local.astype(np.complex128)
         between = np.zeros((count, count), dtype=np.complex128)
         for slot, (i, j) in enumerate(slots.pairs):
-            assert linear is not None  # there is a link
             tone = Tone(
                 s=complex(s),
                 spring=facts[slot].spring,
@@ -159,7 +157,7 @@ def _predicted(prepared: Prepared, user: int, node: int, axis: int, tones: Float
                 there=complex(np.exp(-s * delay[i, j])),
                 back=complex(np.exp(-s * delay[j, i])),
             )
-            at_own, at_other = linear(tone)
+            at_own, at_other = law.response(tone)
             own[i] += at_own
             between[i, j] -= at_other
         copy = (s * body.mass + body.damping + body.stiffness / s) / count

@@ -5,8 +5,9 @@ import numba.experimental.function_type  # noqa: F401  # pyright: ignore[reportU
 
 from cotouch.laws._end import END_WORDS, BoundEnd, CompiledHalf, End, call, hand, handed
 from cotouch.laws._helper import brake, copy, feel, given_power, square
-from cotouch.laws._law import FORCE, Facts, Law, Linear, OriginForce, Parameter, Tone, law_named, laws, register
+from cotouch.laws._law import FORCE, Facts, Law, Linear, Parameter, Tone, law_named, laws, register
 from cotouch.laws._once import ONCE
+from cotouch.laws._origin_force import OriginForce
 from cotouch.laws._paid import PAID
 from cotouch.laws._pd import PD
 from cotouch.laws._pspm import PSPM

@@ -7,9 +7,11 @@ from math import inf, isfinite, nan
 from typing import TypeAlias, final
 
 from cotouch.errors import NetworkError
-from cotouch.installed import installed, installed_names
+from cotouch.installed import check_own_name, installed, installed_names
 from cotouch.kernels import beyond, reason, written_here
+from cotouch.laws._checks import raises, worked_out
 from cotouch.laws._end import CompiledHalf, End
+from cotouch.laws._origin_force import OriginForce
 from cotouch.laws._trial import ends
 
 # Entry points of laws that other packages bring.
@@ -52,28 +54,6 @@ def damped_spring(tone: Tone) -> tuple[complex, complex]:
     """
     own = tone.spring / tone.s + tone.parameters[0]
     return own, own * tone.there
-
-
-@final
-@dataclass(frozen=True, kw_only=True)
-class OriginForce:
-    """A hand's force f as it would be at the origin, `w = f + k x̂ + b v̂`, with its integrals; names of what is sent.
-
-    Attributes:
-        force: of the field w; only where nothing acts is it 0 [N].
-        integral: of ∫w, a sum [Ns].
-        double: of ∫∫w, a sum [Ns²].
-        stiffness: of the number k [N/m].
-        damping: of the number b [Ns/m].
-        plain: of the number that is above 0 where w is f itself.
-    """
-
-    force: str
-    integral: str
-    double: str
-    stiffness: str
-    damping: str
-    plain: str
 
 
 @final
@@ -154,6 +134,23 @@ class Parameter:
     most: float = inf
     tuned: bool = True
 
+    def usual(self, facts: Facts, whose: str) -> float:
+        """Its default at one end.
+
+        Args:
+            facts: what is known of the end.
+            whose: it is, for messages.
+
+        Raises:
+            NetworkError: it cannot be worked out, or is out of its range.
+        """
+        what = f'{whose}: the default of "{self.name}"'
+        default = self.default
+        usual = worked_out(what, lambda: float(default(facts) if callable(default) else default))
+        if not self.least <= usual <= self.most:
+            raise NetworkError(f"{what} is {usual:g}; it must be a number from {self.least:g} to {self.most:g}")
+        return usual
+
 
 @final
 @dataclass(frozen=True, kw_only=True)
@@ -171,7 +168,7 @@ class Law:
         sends_scalars: names of the numbers in a message.
         keeps: names of the fields that an end keeps.
         keeps_scalars: names of the numbers that an end keeps.
-        fractions: names of the fields that the ends of a copy share.
+        shares: names of the fields that the ends of a copy share.
         shares_scalars: names of the numbers that the ends of a copy share.
         feels: whether it reads `End.hand` and `End.touch`.
         passive: whether it promises that all ends together make no more energy than they begin with.
@@ -204,7 +201,7 @@ class Law:
     sends_scalars: tuple[str, ...] = ()
     keeps: tuple[str, ...] = ()
     keeps_scalars: tuple[str, ...] = ()
-    fractions: tuple[str, ...] = ()
+    shares: tuple[str, ...] = ()
     shares_scalars: tuple[str, ...] = ()
     feels: bool = False
     passive: bool = True
@@ -259,6 +256,12 @@ class Law:
         return f"{self.name} {sha256(repr(said).encode()).hexdigest()[:16]}"
 
     def _part(self, half: Half) -> CompiledHalf:
+        where = None if written_here(half) else raises(half)
+        if where is not None:
+            raise NetworkError(
+                f'law "{self.name}" raises an error or asserts ({where}), which nobody catches where laws run; it must '
+                "do without"
+            )
         try:
             return CompiledHalf(half)
         except Exception as error:  # what somebody wrote may be wrong in any way
@@ -269,7 +272,7 @@ class Law:
         halves = self.before, self.after
         if all(map(written_here, halves)):
             return
-        fields, numbers = (self.sends, self.keeps, self.fractions), (self.sends_scalars, self.keeps_scalars)
+        fields, numbers = (self.sends, self.keeps, self.shares), (self.sends_scalars, self.keeps_scalars)
         usual = self.values(Facts(spring=50.0, age=0.05, age_back=0.05), {})
         said = beyond(halves, ends(usual, *map(len, fields), *map(len, (*numbers, self.shares_scalars))))
         if said is not None:
@@ -304,21 +307,46 @@ class Law:
         Args:
             facts: what is known of the end.
             given: parameters by name.
+
+        Raises:
+            NetworkError: a default cannot be worked out, or is out of its range.
         """
         result: list[float] = []
         for parameter in self.parameters:
-            default = parameter.default
-            usual = float(default(facts) if callable(default) else default)
+            usual = parameter.usual(facts, f'law "{self.name}"')
             value = given.get(parameter.name, usual)
             if isinstance(value, str):
                 value = min(max((_factor(value) or 0.0) * usual, parameter.least), parameter.most)
             result.append(float(value))
         return result
 
+    def response(self, tone: Tone) -> tuple[complex, complex]:
+        """What `linear` says of one end at one frequency, Z_ii and Z_ij [Ns/m].
+
+        Args:
+            tone: the end; the law is linear.
+
+        Raises:
+            NetworkError: `linear` fails, or gives anything but two finite numbers.
+        """
+        linear = self.linear
+        assert linear is not None
+        own, other = worked_out(f'law "{self.name}": linear(tone)', lambda: _pair(linear, tone))
+        if not (isfinite(abs(own)) and isfinite(abs(other))):
+            raise NetworkError(
+                f'law "{self.name}": linear(tone) is {own:g}, {other:g} at {abs(tone.s):g} 1/s; it must be finite'
+            )
+        return own, other
+
     def initial_energy_of(self, values: list[float]) -> float:
         """What an end with these parameters may make [J]."""
         names = [parameter.name for parameter in self.parameters]
         return 0.0 if self.initial_energy is None else values[names.index(self.initial_energy)]
+
+
+def _pair(linear: Linear, tone: Tone) -> tuple[complex, complex]:
+    own, other = linear(tone)
+    return complex(own), complex(other)
 
 
 def _factor(text: str) -> float | None:
@@ -349,21 +377,9 @@ def register(law: Law) -> Law:
     for name in set(law.sums) - set(law.sends):
         raise NetworkError(f'law "{law.name}" declares the sum "{name}", which is not one of the fields that it sends')
     if law.origin_force is not None:
-        _check_origin_force(law, law.origin_force)
+        law.origin_force.check(law.name, [law.sends[nth] for nth in law.coarse], law.sums, law.sends_scalars)
     _KNOWN[law.name] = law
     return law
-
-
-def _check_origin_force(law: Law, hand: OriginForce) -> None:
-    coarse = [law.sends[nth] for nth in law.coarse]
-    for name, among, what in (
-        (hand.force, coarse, "a field that is no sum"),
-        (hand.integral, law.sums, "a sum"),
-        (hand.double, law.sums, "a sum"),
-        *((name, law.sends_scalars, "a number") for name in (hand.stiffness, hand.damping, hand.plain)),
-    ):
-        if name not in among:
-            raise NetworkError(f'law "{law.name}" declares "{name}" of a hand, which is not {what} that it sends')
 
 
 def laws() -> dict[str, Law]:
@@ -375,9 +391,12 @@ def law_named(name: str) -> Law:
     """The law of a name: one that is registered here, else one of an installed package.
 
     Raises:
-        NetworkError: there is none of this name, it cannot be loaded, or it is no law.
+        NetworkError: there is none of this name, it cannot be loaded, or it is no law; or it is cotouch's own, and a
+            package brings one of the same name.
     """
     if name in _KNOWN:
+        if written_here(_KNOWN[name].before):
+            check_own_name(GROUP, name, what="law", error=NetworkError)
         return _KNOWN[name]
     loaded = installed(GROUP, name, Law, what="law", error=NetworkError)
     if loaded is None:

@@ -18,7 +18,8 @@ from math import inf, sqrt
 
 from cotouch.laws._end import End
 from cotouch.laws._helper import copy, helper
-from cotouch.laws._law import FORCE, Facts, Law, OriginForce, Parameter, register
+from cotouch.laws._law import FORCE, Facts, Law, Parameter, register
+from cotouch.laws._origin_force import OriginForce
 from cotouch.laws._paid_fields import (
     ACCOUNT,
     AGE,
@@ -349,7 +350,7 @@ PAID = register(
             *("checked", "right", "guessed", "settled", "tells"),
             *(f"evenly {axis}" for axis in range(4)),
         ),
-        fractions=(
+        shares=(
             *("w", "wish", "f", "x", "v", "x before", "v before"),
             *(
                 "x rate",

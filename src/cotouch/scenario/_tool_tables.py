@@ -8,7 +8,9 @@ from pydantic import Discriminator, Field, FiniteFloat, Tag, model_validator
 
 from cotouch.device import PRESETS, installed_coupling
 from cotouch.errors import DeviceError, ScenarioError
-from cotouch.mechanics import contact_law_named
+from cotouch.installed import check_own_name
+from cotouch.kernels import written_here
+from cotouch.mechanics import conform_contact_law, contact_law_named
 from cotouch.scenario._surface_tables import SnapTable, TextureTable
 from cotouch.scenario._tables import Coordinate, Firm, Hard, NonNegative, Number, Place, Positive, Table, check_times
 
@@ -180,15 +182,22 @@ class ContactTable(Table):
         """The law for the kernels.
 
         Raises:
-            ScenarioError: there is no such law, it breaks the interface, or it has no such parameter.
+            ScenarioError: there is no such law, it breaks the interface, also with these parameters, or has no such
+                parameter; or it is cotouch's own, and a package brings one of the same name.
         """
         kind = contact_law_named(self.law)
+        own = written_here(kind)
+        if own:
+            check_own_name("cotouch.contact_laws", self.law, what="contact law", error=ScenarioError)
         known = cast("tuple[str, ...]", getattr(kind, "_fields", ()))
         for name, value in self.parameters.items():
             if name not in known or not value > 0.0:
                 has = f"has {', '.join(known)}, each above 0"
                 raise ScenarioError(f'contact.parameters.{name} is {value:g}; law "{self.law}" {has}')
-        return kind(**self.parameters)
+        law = kind(**self.parameters)
+        for broken in [] if own or not self.parameters else conform_contact_law(law):
+            raise ScenarioError(f'contact law "{self.law}" breaks the interface with {law}: {broken}')
+        return law
 
     def refuse(self, tools: Sequence[Table]) -> None:
         """Refuses a law that cannot be, also where no tool touches, and tools that its snap or texture does not suit.

@@ -61,7 +61,7 @@ class Outcome:
         position: of every user at the end, in the model's rows, (users, rows, width) [m].
         velocity: likewise [m/s].
         events: how many steps were taken in all; fewer than scheduled if the motion left floating point.
-        taken: steps taken by each user, (users,).
+        taken: steps taken and recorded by each user, (users,).
         tools: what was recorded of tools; None without them.
         frames: whole copies, (frames, users, rows, width) [m].
         frame_time: of the frames that were reached, (frames,) [s].
@@ -192,6 +192,8 @@ def run_batch(prepared: Prepared) -> Outcome:
             f'law "{law.law.name}" gives a link of user {record.refused[0]} a stiffness or damping that is not a '
             "finite number of at least 0"
         )
+    if events < timing.order.size:  # the step in which the motion left floating point was not recorded
+        counter[timing.order[events]] -= 1
     shown = int(frames.done[0])
     return Outcome(
         record=record,

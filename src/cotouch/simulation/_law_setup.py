@@ -189,7 +189,7 @@ def ends_of(setup: LawSetup, timing: Schedule, fields: Fields, mean: Float, copi
         mail_scalars=np.zeros((count, letters, len(law.sends_scalars))),
         memory=np.zeros((count, len(law.keeps), size)),
         scalars=np.zeros((count, len(law.keeps_scalars))),
-        shared=np.zeros((users, len(law.fractions), size)),
+        shared=np.zeros((users, len(law.shares), size)),
         shared_scalars=np.zeros((users, len(law.shares_scalars))),
         first=first,
         slot=np.arange(first, first + count),

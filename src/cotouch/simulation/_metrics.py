@@ -277,6 +277,7 @@ def summary(run: "xr.Dataset", body: Body) -> Summary:
     start, stop = hold_window(run)
     end = float(np.nanmax(run["time"].values))
     ledger = {name: float(run[name].values[-1]) for name in ("stored", "supplied_total", "dissipated_total")}
+    ages = run["age"].values[np.isfinite(run["age"].values)]  # none if the motion left floating point in the first step
     found: Summary = {
         "title": run.attrs["title"],
         "mode": run.attrs["mode"],
@@ -301,10 +302,7 @@ def summary(run: "xr.Dataset", body: Body) -> Summary:
             "delay_work": float(run["delay_work_total"].values[-1]),
             "in_play": float(run.attrs["energy_in_play"]),
         },
-        "age_s": {
-            "mean": float(np.nanmean(run["age"].values)) if run["age"].size else 0.0,
-            "max": float(np.nanmax(run["age"].values)) if run["age"].size else 0.0,
-        },
+        "age_s": {"mean": float(ages.mean()), "max": float(ages.max())} if ages.size else {"mean": 0.0, "max": 0.0},
         "underruns": int(run.attrs["underruns"]),
         "messages_lost": int(run.attrs["messages_lost"]),
         "local_damping": [plain(row) for row in run["local_damping"].values],

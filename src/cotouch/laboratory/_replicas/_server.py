@@ -198,7 +198,7 @@ def _serve(run: AxisRun, law: Law, given: Mapping[str, float | str]) -> float:
             mail_scalars=np.zeros((2 * count, steps + 1, len(law.sends_scalars))),
             memory=np.zeros((2 * count, len(law.keeps), 1)),
             scalars=np.zeros((2 * count, len(law.keeps_scalars))),
-            shared=np.zeros((count + 1, len(law.fractions), 1)),
+            shared=np.zeros((count + 1, len(law.shares), 1)),
             shared_scalars=np.zeros((count + 1, len(law.shares_scalars))),
             ends=np.zeros((2 * count, 4)),
             felt=np.zeros((count + 1, 1)),
