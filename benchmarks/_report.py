@@ -9,54 +9,12 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 from time import perf_counter
-from typing import NamedTuple
 
 import numpy as np
 
+from benchmarks._layout import SECTIONS, Row, introduction, laid_out
+
 RESULTS = Path(__file__).parent / "RESULTS.md"
-# The order of the sections.
-SECTIONS = (
-    "engine",
-    "step",
-    "scaling",
-    "touch",
-    "materials",
-    "bodies",
-    "acceptance",
-    "planner",
-    "laws",
-    "codec",
-    "laws: ten in ten minutes",
-    "laws: stars",
-    "laws: paths",
-    "laws: elastic body",
-    "promises",
-    "law interface",
-    "live",
-    "laws live",
-    "members",
-    "drivers",
-    "servo",
-    "servo memory",
-    "page",
-    "recording",
-    "record",
-    "touch record",
-    "device record",
-    "soak",
-    "attack",
-    "fuzz",
-)
-
-
-class Row(NamedTuple):
-    """One line: what was measured, the value, the goal where there is one, and what it stands beside."""
-
-    section: str
-    what: str
-    value: str
-    goal: str = ""
-    note: str = ""
 
 
 def machine() -> str:
@@ -136,12 +94,11 @@ def _save(rows: list[Row]) -> None:
             name, _, text = part.partition("\n")
             sections[name.strip()] = text.strip()
     for name in dict.fromkeys(row.section for row in rows):
-        lines = [f"Measured on {machine()}.", "", "| measured | value | goal | note |", "|---|---|---|---|"]
-        lines += [
-            f"| {' | '.join(cell.replace('|', '/') for cell in row[1:])} |" for row in rows if row.section == name
-        ]
+        measured = [row for row in rows if row.section == name]
+        lines = [*introduction(name), f"Measured on {machine()}.", *laid_out(name, measured)]
         sections[name] = "\n".join(lines)
-    order = sorted(sections, key=lambda name: (SECTIONS.index(name) if name in SECTIONS else len(SECTIONS), name))
+    names = list(SECTIONS)
+    order = sorted(sections, key=lambda name: (names.index(name) if name in SECTIONS else len(SECTIONS), name))
     head = "# Results of the benchmarks\n\nWritten by `python -m benchmarks --write`; the code measured every number.\n"
     RESULTS.write_text(head + "".join(f"\n## {name}\n\n{sections[name]}\n" for name in order), encoding="utf-8")
 

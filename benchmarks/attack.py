@@ -63,7 +63,7 @@ def rows(searches: Sequence[Search]) -> list[Row]:
             "; ".join(broken)[:300],
         ),
         ("of these: crashed somebody", str(sum("crashed" in text for text in broken)), "0", ""),
-        ("of these: took a place", str(sum("place" in text for text in broken)), "0", ""),
+        ("of these: took a slot", str(sum("place" in text for text in broken)), "0", ""),
     ]
     for goal in GOALS:
         value, lie = max((search.best[goal][0] for search in searches), key=lambda entry: entry[0])

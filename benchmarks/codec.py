@@ -60,7 +60,7 @@ def run(draws: int, deadbands: Sequence[float] = DEADBANDS) -> list[Row]:
                 print(name, law, cells[-1], beside[-1], file=sys.stderr, flush=True)
             label = law if isinstance(law, str) else law["name"]
             rows.append(Row("codec", f"{label}, {name}", "; ".join(cells), "", "; ".join(beside)))
-    note = f"deadband: J at packets a second to a neighbour; quantum {QUANTUM:g}, five tasks, draws: {draws}, 500 Hz"
+    note = f"deadband: cost at packets a second to a neighbour; quantum {QUANTUM:g}, five tasks, draws: {draws}, 500 Hz"
     return [Row("codec", "two users, laws with their defaults", note), *rows]
 
 

@@ -411,7 +411,7 @@ def broken(found: Finding) -> bool:
 
 
 def unbalanced(found: Finding) -> bool:
-    """Whether the copies' books do not balance, or the copies gave energy."""
+    """Whether the copies' ledgers do not balance, or the copies gave energy."""
     return not (found.residual <= TOLERANCE and found.margin >= -TOLERANCE)
 
 
@@ -451,7 +451,7 @@ def measure(count: int = SHORT, jobs: int = 1) -> list[Row]:
         ),
         Row(
             name,
-            "scenarios whose copies gave energy, or whose books do not balance",
+            "scenarios whose copies gave energy, or whose ledgers do not balance",
             f"{len(wrong)}",
             "0",
             f"numbers: {numbered(wrong)}; residual at most {max(found.residual for found in findings):.1e}, least Σ "

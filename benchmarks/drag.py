@@ -219,7 +219,7 @@ def rows(found: list[Felt]) -> list[Row]:
         note = (
             f"predicted {one.predicted:.2f} Ns/m; {OWN:g} of both is the body's own; off by {100 * one.off:+.1f} %; "
             f"members say of the law alone: {said or 'nothing'}; copies {1e3 * one.apart:.1f} mm apart at most; "
-            f"{100 * one.late:.1f} late steps for 100 taken"
+            f"{100 * one.late:.1f} missed steps for 100 taken"
         )
         how = f"{one.law}, codec" if one.saved else one.law
         if one.saved:

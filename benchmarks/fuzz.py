@@ -205,7 +205,7 @@ def commanded() -> list[Part]:
 
         return take
 
-    link = LinkStatus(slot=1, state="coupled", ages=0.1, budget=0.2, round_trip=0.03)
+    link = LinkStatus(slot=1, state="coupled", age_sum=0.1, budget=0.2, round_trip=0.03)
     status = Status(slot=0, links=[link], round_trips=[(1, 0.1)], roster=root.digest)
     desired = Join(name="user 0", fingerprint=_BODY, version="1")
     offers = [
@@ -215,7 +215,7 @@ def commanded() -> list[Part]:
     return [
         Part("rosters", 0.03, [write_message(Decided(chain=chain)), write_message(Decided(chain=chain[:1]))], roster),
         Part("statuses", 0.04, [write_message(status)], received("status")),
-        Part("wishes to take part", 0.03, [write_message(desired)], received("join")),
+        Part("requests to take part", 0.03, [write_message(desired)], received("join")),
         Part("candidates", 0.02, offers, read_offer),
     ]
 

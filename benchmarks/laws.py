@@ -59,17 +59,6 @@ _LEFT_OUT = ("5 ms", "25 ms")
 # Ten laws on five networks: how long that takes.
 _TEN = ("P", "pd", "rule", "once", "wave", "tdpa", "tank", "pspm", "paid", "rollback")
 _FIVE = ("5 ms", "25 ms", "100 ms", "25 + exp(10) ms, 5 % loss", "5G from a car")
-# What the one-axis prototype had for two users, by law and network; none found where a dash is.
-PROTOTYPE = {
-    "P": ("1.43", "2.90", "4.92", "3.03"),
-    "pd": ("1.12", "2.10", "3.08", "2.20"),
-    "rule": ("1.54", "2.67", "3.59", "3.20"),
-    "once": ("1.13", "2.12", "3.08", "2.91"),
-    "wave": ("0.19", "0.82", "2.69", "2.24"),
-    "tdpa": ("–", "2.35", "3.98", "2.31"),
-    "tank": ("1.06", "2.09", "3.08", "2.18"),
-    "paid": ("0.01", "0.11", "1.18", "0.19"),
-}
 
 
 def study(
@@ -128,19 +117,15 @@ def rows(found: "xr.Dataset", part: str = "full") -> list[Row]:
     networks, costs = found["network"].values.tolist(), mean_cost(found)
     stiff = mean_cost(found, hand=found.sizes["hand"] - 1)
     tuning = asked["tuning"]
-    note = (
-        f"{asked['draws']} draws, {tuning['search']} + {tuning['local']} settings of {tuning['users']} users; J, 95 %; "
-    )
-    result = [Row(section, "networks", " / ".join(networks), "", note + "in brackets stiff hands")]
+    note = f"{asked['draws']} draws, {tuning['search']} + {tuning['local']} settings of {tuning['users']} users"
+    result = [Row(section, "networks", " / ".join(networks), "", note)]
     result += [row for users in found["users"].values.tolist() for row in _challenge(found, section, users)]
     for users in found["users"].values.tolist():
         for law in found["law"].values.tolist():
             cells = " / ".join(
                 _cell(*costs[law, network, users], stiff[law, network, users][0]) for network in networks
             )
-            known = PROTOTYPE.get(law) if users == 2 and part == "full" else None
-            beside = "" if known is None else f"prototype: {' / '.join(known)}"
-            result.append(Row(section, f"{users} users: {law}", cells, "", beside))
+            result.append(Row(section, f"{users} users: {law}", cells))
     if "published" in found["tuning"] and asked["felt"]:
         result += [_drag(found, section, users) for users in found["users"].values.tolist()]
     for law in found["law"].values.tolist():

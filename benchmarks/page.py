@@ -227,7 +227,7 @@ def demonstration() -> list[Row]:
             f"{visited['bytes'] / 1e6:.2f} MB/s, 60 pointers a second; {load()}"),
         Row("page", "demonstration: share of a core that one page takes", f"{100.0 * (used - alone):.1f} %", "≤ 10 %",
             f"its process with one page {100.0 * used:.1f} %, with none, as the session's host, {100.0 * alone:.1f} %"),
-        Row("page", "demonstration: members' late steps, with one page and with none",
+        Row("page", "demonstration: members' missed steps, with one page and with none",
             f"{100.0 * during:.2f} %, {100.0 * before:.2f} %", "alike",
             f"{browser if found['browser'] else 'no browser'}; {load()}"),
         Row("page", "demonstration: from pointer to the picture whose copy has used it, p50 / p99",

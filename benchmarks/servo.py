@@ -165,7 +165,8 @@ def pace(seconds: float) -> list[Row]:
                 f"deadlines at 1 kHz, {name}: late by p50 / p99 / p99.9",
                 f"{late} µs",
                 "",
-                f"{100 * missed:.2g} % of cycles left out; longest step {1e3 * found['T_max']:.2g} ms; {how}; {before}",
+                f"{100 * missed:.2g} % of cycles left out; longest step {1e3 * found['period_max']:.2g} ms; "
+                f"{how}; {before}",
             )
         )
     return rows

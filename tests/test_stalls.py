@@ -9,10 +9,8 @@ from tests.stalls import Stalled, Stalls, stolen
 @pytest.fixture
 def watch(tmp_path: Path) -> Stalls:
     """One that has seen 30 ms lost from 10.02 to 10.06 s."""
-    made = Stalls.__new__(Stalls)
-    made._log = tmp_path / "stalls"
-    made._log.write_text("5.0 6.0 0.9\n10.02 10.06 0.03\n")
-    return made
+    (tmp_path / "stalls").write_text("5.0 6.0 0.9\n10.02 10.06 0.03\n")
+    return Stalls(tmp_path, watching=False)
 
 
 def test_in_time_is_in_time(watch: Stalls):

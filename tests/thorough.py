@@ -248,7 +248,7 @@ QUICK: Mapping[str, tuple[str, ...]] = {
     "web/test_screen.py::test_a_way_that_gets_short_is_not_taken_for_a_missed_picture": (),
     "web/test_screen.py::test_frames_come_just_before_a_picture": (),
     "web/test_shell.py::test_a_scripted_hand_can_be_told": (),
-    "web/test_shell.py::test_an_invitation_is_shown_and_a_place_freed": (),
+    "web/test_shell.py::test_an_invitation_is_shown_and_a_slot_freed": (),
     "web/test_shell.py::test_an_old_token_is_told_and_offers_nothing": (),
     "web/test_shell.py::test_cutting_a_link_shows_in_the_graph_the_card_and_the_verdict": (),
     "web/test_shell.py::test_whoever_takes_part_from_elsewhere_is_sent_away_after_a_question": (),

@@ -7,7 +7,7 @@ export function linkDelay(state: State, a: number, b: number): number | null {
   if (emulated?.cut) return null;
   if (emulated && emulated.delay + emulated.jitter > 0) return emulated.delay + emulated.jitter;
   const end = state.ends[`${a}-${b}`];
-  if (end?.ages != null) return end.ages / 2;
+  if (end?.age_sum != null) return end.age_sum / 2;
   if (end?.round_trip != null) return end.round_trip / 2;
   return emulated ? emulated.delay : null;
 }

@@ -88,13 +88,13 @@ export interface LinkStatus {
   state: string;
   path_state: string;
   age: number | null;
-  ages: number | null;
+  age_sum: number | null;
   budget: number | null;
   round_trip: number | null;
   loss: number;
   rate: number;
-  datagrams: number;
-  size: number;
+  datagram_rate: number;
+  byte_rate: number;
   saved: number;
   force: number;
   work: number;
@@ -108,8 +108,8 @@ export interface MemberStatus {
   time: number;
   steps: number;
   rate: number;
-  period: number;
-  longest: number;
+  nominal_period: number;
+  longest_period: number;
   missed: number;
   stood: number;
   busy: number;
@@ -123,7 +123,7 @@ export interface MemberStatus {
   initial: number;
   residual: number;
   damping: number;
-  certificate: number | null;
+  damping_margin: number | null;
   links: LinkStatus[];
   /** The copy is farther away than samples can tell, so none are sent. */
   unsent: boolean;

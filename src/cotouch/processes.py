@@ -23,6 +23,8 @@ try:
 except ImportError:  # no Unix: folders are removed by whoever made them only
     fcntl = None
 
+# In the environment of a child that keeps to one processor: others of ours have the rest.
+ONE_THREAD: Final = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
 _PIPE: Final = "COTOUCH_PARENT"
 # A child that is told to end and does not is ended after so long [s].
 _PATIENCE: Final = 5.0

@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from tests.body.inside import CORNERS, LEAST_FILL, carriers, cells_of
+from tests.body.inside import LEAST_FILL, carriers, cells_of
 from tests.body.shapes import box, joined, rotation, sphere, volume
 
+from cotouch.body import CORNERS
 from cotouch.errors import BodyError
 
 

@@ -4,6 +4,7 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 import scipy.sparse as sp
+from scipy.sparse.linalg import eigsh, spsolve
 from tests.mechanics.materials import made
 
 from cotouch.body import Body, Placed, body_from_surface, cut_skin, pulls_of, together, with_faces
@@ -32,17 +33,16 @@ def test_it_behaves_as_before(name: str) -> None:
         assert np.abs(after - before).max() <= 1e-12 * np.abs(before).max()
     assert was.T @ np.repeat(pulls_of(faced), was.shape[0] // faced.nodes) == pytest.approx(1.0)
     few = [
-        np.sqrt(np.linalg.eigvalsh(one.stiffness.toarray() / np.sqrt(np.outer(m, m)))[:6])
+        np.sqrt(np.sort(eigsh(one.stiffness, 6, one.mass, sigma=0.0, return_eigenvectors=False)))
         for one in (body, faced)
-        for m in [one.mass.diagonal()]
     ]
     assert np.abs(few[1] / few[0] - 1.0).max() < 0.01
     assert (few[1] < few[0]).all()  # it is softer, by what the ties yield
     load = np.zeros(body.mass.shape[0])
     load[-1] = 1.0  # a corner of the free end, and how far it gives way
     shared = np.repeat(pulls_of(faced), was.shape[0] // faced.nodes) * (was @ load)
-    before = load @ np.linalg.solve(body.stiffness.toarray(), load)
-    after = shared @ np.linalg.solve(faced.stiffness.toarray(), shared)
+    before = load @ spsolve(body.stiffness, load)
+    after = shared @ spsolve(faced.stiffness, shared)
     assert 1.0 < after / before < 1.01
 
 

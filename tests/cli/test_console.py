@@ -51,13 +51,13 @@ def test_orders_are_read_as_they_come_and_answered(capsys: pytest.CaptureFixture
     assert len(host_of(world).roster.banned) == 1
 
 
-def test_a_line_without_an_end_is_bounded() -> None:
+def test_a_line_without_an_end_is_bounded(capsys: pytest.CaptureFixture[str]) -> None:
     world = filled()
     reading, writing = os.pipe()
     console = Console(host_of(world), descriptor=reading)
-    for _ in range(8):
-        os.write(writing, b"x" * 4096)
+    for written in [b"x" * 4096] * 7 + [b" " * 4096, b"expel Zoe\n"]:
+        os.write(writing, written)
         console.service(0.0)
-    assert len(console._line) <= 4096
+    assert 'nobody here has the name "Zoe"' in capsys.readouterr().err  # what stood before was let go
     os.close(writing)
     os.close(reading)

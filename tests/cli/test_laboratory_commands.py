@@ -122,7 +122,7 @@ def test_compare_writes_results_and_report_and_resumes(tmp_path: Path) -> None:
     study.write_text(STUDY, encoding="utf-8")
     shown = here("compare", study, "--out", out)
     assert shown.returncode == 0, shown.stderr
-    assert "J with 2 users" in shown.stdout
+    assert "cost with 2 users" in shown.stdout
     assert "wave" in shown.stdout
     assert "[/near] $_{$" in shown.stdout  # neither markup nor a formula
     report = (out / "report.html").read_text(encoding="utf-8")

@@ -60,7 +60,7 @@ def test_replay_without_a_terminal_prints_lines(files: list[Path]) -> None:
     done = here("replay", files[0], "--speed", "1000", "--from", "0.5")
     assert done.returncode == 0, done.stderr
     (line,) = done.stdout.splitlines()
-    assert line.split()[:4] == ["0.500", "s", "250", "Hz"]
+    assert line.split()[:7] == ["0.500", "s", "250", "Hz", "period", "4", "ms"]
     assert "2: 62 ms coupled" in line or "ms coupled" in line
 
 
@@ -68,7 +68,7 @@ def test_replay_sums_up(files: list[Path]) -> None:
     done = here("replay", files[0], "--json")
     summary = json.loads(done.stdout)
     assert (summary["user"], summary["name"], summary["steps"], summary["whole"]) == (1, "Ann", 250, True)
-    assert summary["T_s"]["mean"] == pytest.approx(0.004)
+    assert summary["period_s"]["mean"] == pytest.approx(0.004)
     assert summary["events"] == {"setup": 1, "closed": 1}
 
 

@@ -252,10 +252,10 @@ def test_demo(running: Running, options: tuple[str, ...]) -> None:
     assert shown["residual"] < 1e-9
     assert done.returncode == bool(shown["complaints"])
     assert not [said for said in shown["complaints"] if "coupled" not in said]  # a busy machine guards its links
-    explained = shown["supplied_J"] + shown["delays_added_J"] - shown["damped_J"] - shown["in_copies_J"]
+    explained = shown["supplied_j"] + shown["delays_added_j"] - shown["damped_j"] - shown["in_copies_j"]
     # The rest is from sharing the object among more, as they come.
     shared = sum(one["status"][name] for one in shown["members"].values() for name in ("initial", "rescaled"))
-    assert abs(explained + shared) < 1e-9 * shown["damped_J"]
+    assert abs(explained + shared) < 1e-9 * shown["damped_j"]
 
 
 def invitation(host: str = "127.0.0.1") -> str:

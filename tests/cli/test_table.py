@@ -40,10 +40,10 @@ def test_who_is_too_far_away_to_be_told_of() -> None:
 
 
 def test_what_is_sent_and_what_the_codec_saves() -> None:
-    sent = {"slot": 1, "state": "coupled", "datagrams": 480.0, "size": 60e3}
-    both = [said(0, links=[sent]), said(1, links=[sent | {"slot": 0, "size": 20e3}])]
+    sent = {"slot": 1, "state": "coupled", "datagram_rate": 480.0, "byte_rate": 60e3}
+    both = [said(0, links=[sent]), said(1, links=[sent | {"slot": 0, "byte_rate": 20e3}])]
     assert "Samples: 960 datagrams and 80.0 kB a second." in told(both)
-    both[1] = said(1, links=[sent | {"slot": 0, "size": 20e3, "saved": 0.8}])  # of 100 kB/s
+    both[1] = said(1, links=[sent | {"slot": 0, "byte_rate": 20e3, "saved": 0.8}])  # of 100 kB/s
     assert "Samples: 960 datagrams and 80.0 kB a second; the codec saves 50 %." in told(both)
     assert not any("Samples" in line for line in told([said(0)]))
 

@@ -7,7 +7,9 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import pytest
+from tests.control.inside import SessionKeys
 from tests.control.memory import MemoryControlNetwork
+from tests.control.wire import Sessions, starts_of
 from tests.live.support import entropy, identities
 
 from cotouch.control import (
@@ -107,6 +109,7 @@ def over_zenoh(*, routed: bool) -> Iterator[Bed]:
         entropy=entropy(3),
     )
     opened: list[ZenohControl | ControlRouter] = [ControlRouter(made, listen=at)] if routed else []
+    keys = [SessionKeys(made, one.public) for one in who]
 
     def join(identity: Identity) -> ControlPlane:
         plane = ZenohControl(made, identity)
@@ -114,43 +117,42 @@ def over_zenoh(*, routed: bool) -> Iterator[Bed]:
         return plane
 
     def inject(member: int, raw: bytes) -> None:
-        plane = planes[member]
         import zenoh
 
         # As urgent as what is said, so that it keeps its place among it.
         urgent = {"priority": zenoh.Priority.INTERACTIVE_HIGH, "congestion_control": zenoh.CongestionControl.BLOCK}
-        plane._session.put(plane._keys.to("said"), raw, **urgent)
+        sessions[member].put(keys[member].to("said"), raw, **urgent)
 
     def tap(member: int) -> list[bytes]:
-        received, plane = list[bytes](), planes[member]
-        plane._session.declare_subscriber(
-            f"{plane._keys.prefix}/beat/**", lambda sample: received.append(sample.payload.to_bytes())
+        received = list[bytes]()
+        sessions[member].declare_subscriber(
+            f"{keys[member].prefix}/beat/**", lambda sample: received.append(sample.payload.to_bytes())
         )
         return received
 
     def beat(member: int, key: bytes, raw: bytes) -> None:
-        plane = planes[member]
-        plane._session.put(f"{plane._keys.prefix}/beat/{key.hex()}/*", raw)
+        sessions[member].put(f"{keys[member].prefix}/beat/{key.hex()}/*", raw)
 
     def pretend(member: int, key: bytes, here: bool) -> None:
-        plane = planes[member]
-        for start in {"0" * 16, *(start for starts in plane._starts._members.values() for start in starts)}:
-            token = plane._session.liveliness().declare_token(f"{plane._keys.prefix}/alive/{key.hex()}/{start}/-")
+        session, prefix = sessions[member], keys[member].prefix
+        for start in {"0" * 16, *starts_of(session, keys[member], key)}:
+            token = session.liveliness().declare_token(f"{prefix}/alive/{key.hex()}/{start}/-")
             tokens.append(token)
             if not here:
                 token.undeclare()
 
     def kill(member: int) -> None:
-        planes[member]._presence.beat = lambda now, *, leaving=False: None  # pyright: ignore[reportAttributeAccessIssue]
-        planes[member]._session.close()
+        sessions[member].close()
 
     tokens = []
-    try:
-        planes = [join(one) for one in who]
-        yield Bed(who, planes, made.id, lambda: time.sleep(0.005), join, inject, tap, beat, pretend, kill)
-    finally:
-        for plane in reversed(opened):
-            plane.close()
+    with pytest.MonkeyPatch.context() as monkeypatch:
+        sessions = Sessions(monkeypatch)
+        try:
+            planes = [join(one) for one in who]
+            yield Bed(who, planes, made.id, lambda: time.sleep(0.005), join, inject, tap, beat, pretend, kill)
+        finally:
+            for plane in reversed(opened):
+                plane.close()
 
 
 CONTROLS = {

@@ -7,7 +7,7 @@ import ssl
 from collections.abc import Awaitable, Callable
 
 import pytest
-from tests.control.inside import gatekeeper
+from tests.control.inside import Gatekeeper, keep_gate, tls_context
 from tests.live.support import entropy, identities
 
 from cotouch.control import Endpoint, Invitation, make_certificates
@@ -52,7 +52,7 @@ class Door:
 
     async def invited(self, source: str) -> bytes:
         """What one of the invited hears of the echo."""
-        context = gatekeeper._context(ssl.Purpose.SERVER_AUTH, given())
+        context = tls_context(ssl.Purpose.SERVER_AUTH, given())
         reader, writer = await asyncio.open_connection("127.0.0.1", self.port, ssl=context, local_addr=(source, 0))
         writer.write(b"hello")
         said = await reader.readexactly(5)
@@ -78,11 +78,9 @@ def at_the_door(play: Callable[[Door], Awaitable[None]]) -> None:
             writer.write(await reader.readexactly(5))
 
         ours = given()
-        outside, inside = (gatekeeper._context(one, ours) for one in (ssl.Purpose.CLIENT_AUTH, ssl.Purpose.SERVER_AUTH))
-        server = await asyncio.start_server(
-            echo, "127.0.0.1", 0, ssl=gatekeeper._context(ssl.Purpose.CLIENT_AUTH, ours)
-        )
-        keeper = gatekeeper.Gatekeeper(server.sockets[0].getsockname(), outside, inside)
+        outside, inside = (tls_context(one, ours) for one in (ssl.Purpose.CLIENT_AUTH, ssl.Purpose.SERVER_AUTH))
+        server = await asyncio.start_server(echo, "127.0.0.1", 0, ssl=tls_context(ssl.Purpose.CLIENT_AUTH, ours))
+        keeper = Gatekeeper(server.sockets[0].getsockname(), outside, inside)
         with socket.create_server(("127.0.0.1", 0), backlog=1024) as listening:
             task = asyncio.create_task(keeper.listen(listening))
             door = Door(listening.getsockname()[1])
@@ -92,9 +90,11 @@ def at_the_door(play: Callable[[Door], Awaitable[None]]) -> None:
                 door.close()
                 task.cancel()
                 server.close()
-                await asyncio.gather(task, *keeper._links, return_exceptions=True)
-                for waiting in [one for many in keeper._unfinished.values() for one in many]:
+                await keeper.finish()
+                unfinished = asyncio.all_tasks() - {asyncio.current_task()}
+                for waiting in unfinished:
                     waiting.cancel()
+                await asyncio.gather(*unfinished, return_exceptions=True)
                 await asyncio.sleep(0.05)
 
     asyncio.run(run())
@@ -116,14 +116,14 @@ def test_its_port_is_free_as_soon_as_its_member_is_gone_though_links_still_end(m
             await reader.read()
 
         ours = given()
-        context = gatekeeper._context(ssl.Purpose.CLIENT_AUTH, ours)
+        context = tls_context(ssl.Purpose.CLIENT_AUTH, ours)
         server = await asyncio.start_server(talk, "127.0.0.1", 0, ssl=context)
         listening = socket.create_server(("127.0.0.1", 0))
         port = listening.getsockname()[1]
         said = {**ours, "inner": server.sockets[0].getsockname(), "listening": [listening.detach()]}
-        keeping = asyncio.create_task(gatekeeper._main(said))
+        keeping = asyncio.create_task(keep_gate(said))
         reader, writer = await asyncio.open_connection(
-            "127.0.0.1", port, ssl=gatekeeper._context(ssl.Purpose.SERVER_AUTH, given())
+            "127.0.0.1", port, ssl=tls_context(ssl.Purpose.SERVER_AUTH, given())
         )
         writer.write(b"hello")
         assert await reader.readexactly(5) == b"hello"

@@ -143,11 +143,3 @@ def test_endpoints_as_text(host: str, port: int):
 def test_what_is_no_endpoint(text: str):
     with pytest.raises(SessionError, match="not an endpoint"):
         Endpoint.parse(text)
-
-
-@pytest.mark.parametrize(
-    ("host", "own"),
-    [("127.0.0.1", True), ("127.9.9.9", True), ("::1", True), ("localhost", True), ("192.0.2.1", False)],
-)
-def test_what_only_this_machine_reaches(host: str, own: bool):
-    assert Endpoint(host, 1).loopback is own

@@ -134,13 +134,27 @@ def test_made_up_senders_are_bounded(monkeypatch: pytest.MonkeyPatch):
     assert isinstance(listener.read(made[0].write("a", b""), 0.0), SignedMessage)
 
 
-def test_what_is_refused_changes_nothing_but_a_counter():
-    listener = reader(rate=1e9, burst=1e9)
-    message = writer().write("a", b"")
-    forged = message[:-1] + bytes([message[-1] ^ 1])
-    assert listener.read(forged, 0.0) is MessageRefusal.FORGED
-    assert (listener._last, listener._keys, listener._limit._known) == ({}, {}, {})
-    assert isinstance(listener.read(message, 0.0), SignedMessage)
+def forged(message: bytes) -> bytes:
+    return message[:-1] + bytes([message[-1] ^ 1])
+
+
+def after_a_forgery(**options: float) -> MessageReader:
+    """A reader that was told what is newer than all that ONE says here, but was not signed."""
+    listener = reader(**options)
+    assert listener.read(forged(writer(started=2000).write("a", b"")), 0.0) is MessageRefusal.FORGED
+    return listener
+
+
+def test_what_is_refused_changes_nothing_but_a_counter(monkeypatch: pytest.MonkeyPatch):
+    said = writer()
+    message = said.write("a", b"")
+    assert isinstance(after_a_forgery().read(message, 0.0), SignedMessage)  # not how far its sender has counted
+    listener = after_a_forgery(burst=80.0)
+    lies = [listener.read(forged(said.write("a", b"")), 0.0) for _ in range(9)]  # not what a stranger may say
+    assert set(lies[:2]) == {MessageRefusal.FORGED}
+    assert set(lies[3:]) == {MessageRefusal.RATE}
+    monkeypatch.setattr("cotouch.control._sign._MOST_SENDERS", 1)
+    assert isinstance(after_a_forgery().read(writer(THREE).write("a", b""), 0.0), SignedMessage)  # nor who has a place
 
 
 def test_who_left_leaves_its_last_counter_and_no_more(monkeypatch: pytest.MonkeyPatch):
@@ -148,17 +162,36 @@ def test_who_left_leaves_its_last_counter_and_no_more(monkeypatch: pytest.Monkey
     monkeypatch.setattr("cotouch.control._sign._MOST_SENDERS", 3)
     monkeypatch.setattr("cotouch.control._sign._MOST_GONE", 4)
     listener = reader(rate=1e9, burst=1e9)
-    made = [writer(Identity.make(entropy(member))) for member in range(20)]
+    who = [Identity.make(entropy(member)) for member in range(20)]
+    made = [writer(one) for one in who]
     old = [one.write("a", b"1") for one in made]
-    for one, message in zip(made, old, strict=True):  # they come and go: more than are known at a time
+    for one, message in zip(who, old, strict=True):  # they come and go: more than are known at a time
         assert isinstance(listener.read(message, 0.0), SignedMessage)
-        listener.forget(one._identity.public)
-        listener.forget(one._identity.public)
-    assert (len(listener._keys), len(listener._last), len(listener._limit._known), len(listener._gone)) == (0, 0, 0, 4)
+        listener.forget(one.public)
+        listener.forget(one.public)
     assert [listener.read(message, 0.0) for message in old[-4:]] == [MessageRefusal.REPLAYED] * 4
     assert isinstance(listener.read(made[-1].write("a", b"2"), 0.0), SignedMessage)  # it was only cut off
     assert listener.read(old[-1], 0.0) is MessageRefusal.REPLAYED
-    assert len(listener._gone) == 3
+    # It left its place among those who are gone. All others have left theirs, so three can be here at a time again.
+    assert [isinstance(listener.read(message, 0.0), SignedMessage) for message in old[:3]] == [True, True, False]
+    listener.forget(who[0].public)
+    assert [listener.read(message, 0.0) for message in old[-4:]] == [MessageRefusal.REPLAYED] * 4
+    # Of one more than there is room for, the longest gone is forgotten altogether.
+    listener.forget(who[1].public)
+    assert isinstance(listener.read(old[-4], 0.0), SignedMessage)
+
+
+def test_who_left_may_say_no_more_than_a_stranger():
+    listener, said = reader(rate=1e-9, burst=100.0), writer()
+
+    def heard() -> int:
+        return sum(isinstance(listener.read(said.write("a", b""), 0.0), SignedMessage) for _ in range(10))
+
+    assert heard() == 10
+    listener.forget(ONE.public)
+    assert isinstance(listener.read(forged(said.write("a", b"")), 0.0), MessageRefusal)
+    lies = [listener.read(forged(said.write("a", b"")), 0.0) for _ in range(9)]
+    assert set(lies[3:]) == {MessageRefusal.RATE}
 
 
 @pytest.mark.parametrize("start", [2**63 - 1, 2**63 - 2])

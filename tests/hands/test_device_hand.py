@@ -14,7 +14,6 @@ import pytest
 from scipy.spatial.transform import Rotation
 from tests.hands.led import Led
 
-from cotouch.coupling import END
 from cotouch.errors import DeviceError, SessionError
 from cotouch.hands import DeviceHand
 from cotouch.haptics import CouplingChoice
@@ -121,7 +120,7 @@ def led(text: str, towards: list[float], *links: Led) -> tuple[DeviceHand, Peer,
             moved = hand.ports.shape[turns] @ (peer.state.position - before)
             did -= float((hand.ports.force[turns] * moved).sum())
     # Both ledgers of the proxies' ports are the same: the body's, and the devices', in their own metres and newtons.
-    booked = sum(hold._end.number(END.work) for hold in hand._holds[: len(links)])
+    booked = sum(work.place for work in hand.work)
     assert booked == pytest.approx(did, rel=1e-9, abs=1e-12)
     return hand, peer, link, residual
 

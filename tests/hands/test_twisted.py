@@ -26,8 +26,15 @@ class Turned:
         self.hand, self.peer = peer_of(session, REPLICA if text == RIGID else SharedModel.build(session), link)  # type: ignore[arg-type]
         self.steps, self.work, self.residual, self.excess = 0, 0.0, 0.0, -np.inf
 
+    @property
+    def turning(self) -> float:
+        """What the coupling has done to the copy where it turned it [J]."""
+        (work,) = self.hand.work
+        assert work.turning is not None
+        return work.turning
+
     def run(self, seconds: float) -> None:
-        ports, turning = self.hand.ports, self.hand._holds[0]._twisted
+        ports = self.hand.ports
         turns = np.abs(ports.shape.sum(axis=1)) < 1e-9
         for _ in range(round(seconds / T)):
             self.steps += 1
@@ -42,21 +49,20 @@ class Turned:
             end, wrist = self.link.core.turning, self.link.device.wrist
             if end is not None:
                 most = 2.0 * end.end.options.initial_energy + end.seen.bound
-                self.excess = max(self.excess, wrist.work + turning.end.work - most)
+                self.excess = max(self.excess, wrist.work + self.turning - most)
 
 
 def test_a_tool_follows_and_what_turns_it_is_the_couplings():
     """By the copy's own ledger, to rounding; by almost half a turn."""
     run = Turned(Felt(turn=3.0))
     run.run(0.5)
-    twisted = run.hand._holds[0]._twisted
     assert run.work > 1e-5
     # The motors' work by measured orientations is what they really did; so the observer has it, and the account.
     turning, did = run.link.core.turning, run.link.device.wrist.work
     assert did < -1e-3
     assert turning.seen.work == pytest.approx(did, rel=1e-9)
     assert turning.end.number(END.work) == pytest.approx(did, rel=1e-9)
-    assert twisted.end.work == pytest.approx(run.work, rel=1e-12, abs=1e-15)
+    assert run.turning == pytest.approx(run.work, rel=1e-12, abs=1e-15)
     assert run.residual < 1e-12
     run.run(0.5)
     assert not run.link.reports[-1].causes
@@ -158,6 +164,6 @@ def test_a_ball_is_not_turned_and_feels_no_torque():
 
 def test_a_device_without_torque_turns_a_tool_by_the_files_springs():
     hand, _ = peer_of(SESSION, REPLICA, Led(orientation=(0.0, 0.0, 0.0, 1.0)))
-    assert hand._holds[0]._twisted is None
+    assert [work.turning for work in hand.work] == [None]
     hand.before(T, T)
     assert hand.ports.stiffness[1] == pytest.approx(0.25 * 300)

@@ -1,6 +1,7 @@
 """Turning in the servo's cycle: torque goes where force goes, and its own limits hold."""
 
 import math
+from contextlib import closing
 from dataclasses import replace
 
 import numpy as np
@@ -250,8 +251,11 @@ def test_a_servo_hands_torques_on_to_devices_that_render_some(tmp_path, spec):
     there[0] = False
     assert not run(1, 2)
     assert device.stopped == 1
-    assert not servo._force.any()
-    assert not servo._torque.any()
+    with closing(ReportReader(tmp_path)) as reports:
+        last = reports.read()
+    assert last is not None
+    assert last.causes & Cause.PARENT
+    assert not any((*last.force, *last.torque))
     servo.close()
     orders.close()
 

@@ -34,5 +34,7 @@ def test_what_runs_as_it_is_written_gives_what_machine_code_gives(x: float, y: f
 
 def test_a_function_of_one_number_is_told_what_there_is_of_four() -> None:
     assert as_written(_of_one)(1.0) == np.exp(1.0)
-    with pytest.raises(TypeError, match=r"a function of one number is asked for four at once; cotouch.kernels has root"):
+    with pytest.raises(
+        TypeError, match=r"a function of one number is asked for four at once; cotouch.kernels has root"
+    ):
         as_written(_of_one)(FourNumbers(1.0))  # pyright: ignore[reportArgumentType]

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from tests.laws.scenes import two
 
-from cotouch.body import chain
+from cotouch.body import Body, chain
 from cotouch.errors import ScenarioError, UnsupportedError
-from cotouch.laboratory import impedance
+from cotouch.laboratory import Study, ideal, impedance
 from cotouch.scenario import Scenario
 
 TONES = [0.3, 1.0, 3.0, 10.0]
@@ -97,3 +97,27 @@ def test_a_law_that_is_not_linear_is_measured_only() -> None:
 def test_wrong_questions_are_one_sentence(options: dict[str, Any], message: str) -> None:
     with pytest.raises(ScenarioError, match=message):
         impedance(scenario("spring"), **options)
+
+
+PULL = np.array([[300.0, 100.0], [100.0, 200.0]])
+COUPLED = {
+    "mass": np.eye(4).tolist(),
+    "rest": [[0.0, 0.0], [0.1, 0.0]],
+    "stiffness_int": np.block([[PULL, -PULL], [-PULL, PULL]]).tolist(),
+    "damping_int": (0.02 * np.block([[PULL, -PULL], [-PULL, PULL]])).tolist(),
+}
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+def test_of_a_body_whose_axes_pull_on_each_other(axis: int) -> None:
+    holding = scenario("spring", body=Body(**COUPLED), hands=[{"user": 2, "stiffness": 50}])
+    predicted, measured = both(impedance(holding, 1, axis=axis, frequencies=[1.0, 3.0]))
+    assert np.abs(measured / predicted - 1.0).max() < 0.03
+
+
+def test_the_ideal_force_on_such_a_body_has_all_axes() -> None:
+    body = {"kind": "matrices", **COUPLED}
+    study = Study.make(laws=["spring"], networks=[{"name": "near", "delay": 0.0}], body=body, duration=4.0)
+    force = ideal(study, [{"user": 1, "path": [0.01, 0.02], "stiffness": 100.0}]).force
+    assert force.shape == (1, 4000, 2)
+    assert force[0, 0] == pytest.approx([1.0, 2.0], rel=1e-3)

@@ -19,12 +19,12 @@ class Nat:
         self.host, self.kept = host, kept
         self._rng = random.Random(seed)
         self._flows: dict[tuple[Address, Address], int] = {}
-        self._shift = 0
+        self.shift = 0
 
     def out(self, inside: Address, to: Address) -> Address:
         port = self._flows.get((inside, to))
         if port is None:
-            port = inside.port + self._shift if self.kept else self._rng.randrange(1024, 65536)
+            port = inside.port + self.shift if self.kept else self._rng.randrange(1024, 65536)
             while any(to == other and port == taken for (_, other), taken in self._flows.items()):
                 port += 1
             self._flows[inside, to] = port
@@ -39,7 +39,7 @@ class Nat:
     def forget(self) -> None:
         """Its mappings are gone, and the next have other ports."""
         self._flows.clear()
-        self._shift += 1000
+        self.shift += 1000
 
 
 class Internet:
@@ -65,7 +65,7 @@ class Internet:
     def move(self, socket: "VirtualSocket", address: Address) -> None:
         realm = socket.nat.host if socket.nat else ""
         del self._sockets[realm, socket.address]
-        socket._address = address
+        socket.address = address
         self._sockets[realm, address] = socket
 
     def carry(self, sender: "VirtualSocket", to: Address, payload: bytes) -> None:
@@ -98,16 +98,12 @@ class VirtualSocket:
     """A `Ground` of the virtual internet."""
 
     def __init__(self, net: Internet, address: Address, nat: Nat | None) -> None:
-        self.net, self._address, self.nat = net, address, nat
+        self.net, self.address, self.nat = net, address, nat
         self.waiting: list[Arrival] = []
         self._neighbours: dict[int, Address] = {}
         self._traffic = Traffic()
         self.open = True
         self.hosts = {address.host}  # of its machine; where the socket's own is no more, nothing is sent
-
-    @property
-    def address(self) -> Address:
-        return self._address
 
     @property
     def traffic(self) -> Traffic:
@@ -170,8 +166,8 @@ class MemoryControl:
 
     def __init__(self, exchange: Exchange, identity: Identity) -> None:
         self._exchange, self._identity = exchange, identity
-        self._said: list[SignedMessage] = []
-        self._relayed: list[Relayed] = []
+        self.said: list[SignedMessage] = []
+        self.waiting: list[Relayed] = []
 
     @property
     def identity(self) -> Identity:
@@ -184,10 +180,10 @@ class MemoryControl:
     def send(self, topic: str, body: bytes, *, to: bytes | None = None) -> None:
         for member in self.present() if to is None else {to} & self.present():
             for other in self._reached(member):
-                other._said.append(SignedMessage(self._identity.public, topic, body, to is not None))
+                other.said.append(SignedMessage(self._identity.public, topic, body, to is not None))
 
     def poll(self) -> list[SignedMessage]:
-        out, self._said = self._said, []
+        out, self.said = self.said, []
         return out
 
     def present(self) -> frozenset[bytes]:
@@ -202,11 +198,11 @@ class MemoryControl:
     def relay(self, to: bytes, payload: bytes) -> bool:
         reached = self._reached(to) if to in self._exchange.members else []
         for other in reached:
-            other._relayed.append(Relayed(payload, self._identity.public, self._exchange.clock()))
+            other.waiting.append(Relayed(payload, self._identity.public, self._exchange.clock()))
         return bool(reached)
 
     def relayed(self) -> list[Relayed]:
-        out, self._relayed = self._relayed, []
+        out, self.waiting = self.waiting, []
         return out
 
     def close(self) -> None:

@@ -87,7 +87,7 @@ def test_outages(cut: str, encoding: str):
         supplied += sum(report.supplied for report in kept)
         most = max(report.kinetic + report.elastic for report in kept)
         assert max(abs(report.residual) for report in kept) < 1e-12 * most
-        guard = peer._joined.ends[0].guard
+        guard = users[peer.index].links[1 - peer.index].guard
         assert guard is not None
         assert guard.state == LinkState.COUPLED
         states = [event.state for event in guard.events]

@@ -98,6 +98,7 @@ def play(lie: Lie, *, text: str = SESSION, seconds: float = SECONDS) -> Outcome:
     honest: list[Person] = []
     liar: Liar | None = None
     since: dict[str, float] = {}
+    moved: dict[str, tuple[int, float]] = {}
     looks = apart = 0
     try:
         for name in names:
@@ -116,7 +117,7 @@ def play(lie: Lie, *, text: str = SESSION, seconds: float = SECONDS) -> Outcome:
                 looks += 1
                 apart += not _coupled(honest)
             for person in honest:
-                _look(world, person, liar, since, seen, broken)
+                _look(world, person, liar, since, moved, seen, broken)
             _gained(world, honest, since, seen, broken)
             liar.check()
             if broken:
@@ -135,7 +136,13 @@ def _coupled(honest: list[Person]) -> bool:
 
 
 def _look(
-    world: World, person: Person, liar: Liar, since: dict[str, float], seen: dict[str, float], broken: list[str]
+    world: World,
+    person: Person,
+    liar: Liar,
+    since: dict[str, float],
+    moved: dict[str, tuple[int, float]],
+    seen: dict[str, float],
+    broken: list[str],
 ) -> None:
     """At one honest member."""
     key, member = person.identity.public.hex(), person.member
@@ -150,7 +157,10 @@ def _look(
             broken.append(f"{person.name} has no place after 3 s")
         return
     since.setdefault(person.name, world.now - LOOK)
-    if world.now - max(member.replica._stepped, since[person.name]) > 1.0:
+    steps = member.replica.peer.steps
+    if moved.get(person.name, (-1, 0.0))[0] != steps:
+        moved[person.name] = steps, world.now - LOOK  # not earlier: it was looked at then
+    if world.now - max(moved[person.name][1], since[person.name]) > 1.0:
         broken.append(f"{person.name} has stood still for 1 s")
     mine = (person.name, member.replica.slot, key)
     others = [(one.name, one.slot, one.key) for one in member.roster.members]

@@ -1,5 +1,6 @@
 """A member with all keys of its own that says what it likes: on its links, and to everybody."""
 
+import json
 import math
 from collections import deque
 from collections.abc import Callable
@@ -13,7 +14,7 @@ from tests.session.world import Person, entropy
 from cotouch.errors import SessionError
 from cotouch.members import Decided, Decision, Former, Status, genuine, write_message
 from cotouch.peer import Message, Sample
-from cotouch.samples import Heading, Identity, SampleLink
+from cotouch.samples import Heading, Identity, SampleCodec, SampleLink, SamplePlane
 
 BUDGET = "link.budget"  # what ends say of their ages
 SIGNED = b"cotouch roster 1\0"  # stands before what a roster's signature is over
@@ -29,6 +30,9 @@ class Liar:
         self.sent = 0
         self._rng = np.random.default_rng(lie.seed)
         self._hooked: object = None
+        self._plane: SamplePlane | None = None
+        self._codec: SampleCodec | None = None
+        self._asked: dict[str, Any] | None = None
         self._before: dict[int, tuple[float, np.ndarray]] = {}
         self._given = 0.0
         self._company: list[Any] = []
@@ -65,7 +69,8 @@ class Liar:
         copy = self.person.member.replica
         if copy is not None and copy is not self._hooked:
             self._hooked = copy
-            plane = copy._plane
+            plane = self._plane = copy._plane
+            self._codec = SampleCodec(plane.layout)
             true = plane.send
             plane.send = lambda now, sample, T, mean=None: (
                 self._tell(now, sample, T) if self.lying else true(now, sample, T, mean)
@@ -74,7 +79,9 @@ class Liar:
     # -- samples -----------------------------------------------------------------------------------------------------
 
     def _tell(self, now: float, sample: Sample, T: float) -> None:
-        plane, lie = self.person.copy._plane, self.lie
+        plane, codec, lie = self._plane, self._codec, self.lie
+        assert plane is not None
+        assert codec is not None
         if self._rng.random() < lie.silence:
             return
         self._given += lie.given
@@ -85,12 +92,12 @@ class Liar:
                 place = np.clip(
                     self._place(other, link, sample, now, -1.0 if lie.faces and nth % 2 else 1.0), -LIMIT, LIMIT
                 )
-                written = plane._codec.write(place)
-                told = plane._codec.told(None if link.law is None else self.message(link.law.message))
+                written = codec.write(place)
+                told = codec.told(None if link.law is None else self.message(link.law.message))
                 for chunk, body in enumerate(written.bodies):
-                    sealed = link.seal.seal(plane._codec.datagram(heading, chunk, body, told[chunk]))
+                    sealed = link.seal.seal(codec.datagram(heading, chunk, body, told[chunk]))
                     if sealed is not None:
-                        plane._transport.send(other, sealed)
+                        self.person.carrier.send(other, sealed)
 
     def _place(self, other: int, link: SampleLink, sample: Sample, now: float, face: float) -> np.ndarray:
         lie, theirs = self.lie, link.assembly.state
@@ -124,7 +131,7 @@ class Liar:
 
     def _heading(self, link: SampleLink, sample: Sample, T: float, now: float, more: int) -> Heading:
         lie, rng = self.lie, self._rng
-        true = link.heading(self.person.copy._plane.epoch, sample, T, now)
+        true = link.heading(self._plane.epoch, sample, T, now)
         header, since = true.header, now - lie.since
         state = int(rng.integers(0, 3)) if lie.state == -2 else lie.state
         epoch = {"true": header.epoch, "cycle": 1 + (sample.index // 3) % 255, "fixed": 7}[lie.epoch]
@@ -169,6 +176,8 @@ class Liar:
 
     def _say(self, topic: str, body: bytes, *, to: bytes | None = None) -> None:
         lie = self.lie
+        if topic == "join":
+            self._asked = json.loads(body)
         commanded = self.lying and not (lie.toggle and self._rng.random() < 0.5)
         if topic == BUDGET and commanded and not (math.isnan(lie.ask) and math.isnan(lie.grant)):
             ask, grant = (None if math.isnan(said) else said for said in (lie.ask, lie.grant))
@@ -219,14 +228,16 @@ class Liar:
 
     def _crowded(self, now: float) -> None:
         del now
-        world, own = self.person.world, self.person.member._asking.request
+        world, own = self.person.world, self._asked
+        if own is None:
+            return
         if len(self._company) < 8:
             identity = Identity.make(entropy(77_000 + len(self._company)))
             self._company.append(world.controls.join(identity))
             world.directory[identity.public] = f"crowd {len(self._company)}"
         for at, control in enumerate(self._company):
             name = ("Ann", "Ben", "nobody", f"crowd {at}")[at % 4]
-            control.send("join", write_message(own.model_copy(update={"name": name})))
+            control.send("join", json.dumps(own | {"name": name}).encode())
             control.poll()
 
     def _statuses(self, now: float) -> None:

@@ -1,3 +1,4 @@
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import pytest
@@ -20,6 +21,7 @@ from cotouch.members import (
     read_message,
     write_message,
 )
+from cotouch.network import Pair
 
 HOST = bytes([255]) * 32
 BODY = [1.0, 2.0]
@@ -30,6 +32,20 @@ spring = [[0, 9, 5, 0], [9, 0, 8, 7], [5, 8, 0, 6], [0, 7, 6, 0]]
 delay = [[0, 0.1, 0.1, 0.1], [0.1, 0, 0.1, 0.1], [0.1, 0.1, 0, 0.1], [0.1, 0.1, 0.1, 0]]
 links = [[1, 2], [2, 3], [3, 4]]
 """
+
+
+REPLANNED = '[session]\nusers = 3\nlinks = "plan"\nreplan = true\n'
+
+
+class Asked:
+    """A planner that links all, and keeps the paths that it was told."""
+
+    def __init__(self) -> None:
+        self.paths: list[dict[Pair, float]] = []
+
+    def __call__(self, slots: Sequence[int], paths: Mapping[Pair, float]) -> list[Pair]:
+        self.paths.append(dict(paths))
+        return [(a, b) for a in slots for b in slots if a < b]
 
 
 def key(number: int) -> bytes:
@@ -348,16 +364,14 @@ def test_links_that_somebody_chose_stay_as_people_come_and_go() -> None:
 
 def test_ways_to_slots_that_nobody_has_are_of_no_use() -> None:
     """A slot beyond the session's was an IndexError in the host, at its next look at the delays."""
-    world = World(
-        '[session]\nusers = 3\nlinks = "plan"\nreplan = true\n',
-        planner=lambda slots, paths: [(a, b) for a in slots for b in slots if a < b],
-    )
+    planner = Asked()
+    world = World(REPLANNED, planner=planner)
     for number in range(3):
         world.join(number, f"{number}")
     world.tick(6.0)
     world.coordinator.receive(SignedMessage(key(0), "status", status(0, {31: 0.5, 1: 0.1}), direct=False), world.now)
     world.tick(20.0)
-    assert set(world.coordinator._paths) == {(0, 1)}
+    assert planner.paths[-1] == {(0, 1): 0.1}
 
 
 def test_no_number_of_changes_is_an_error() -> None:
@@ -576,13 +590,21 @@ def test_one_who_is_not_there_loses_its_slot_only_where_it_is_said_so() -> None:
 
 
 def test_nobody_leaves_twice_and_nonsense_of_a_member_changes_nothing() -> None:
-    world = World()
+    planner = Asked()
+    world = World(REPLANNED, planner=planner)
     world.join(1, "Ann")
+    world.join(2, "Ben")
+    world.tick(6.0)
     before = world.roster
     for sender, topic, body in ((9, "leave", b""), (1, "status", b"{}"), (9, "status", status(0, {1: 0.1}))):
         world.coordinator.receive(SignedMessage(key(sender), topic, body, direct=False), world.now)
     assert world.roster is before
-    assert world.coordinator._paths == {}
+    world.tick(20.0)
+    world.join(3, "Cleo")
+    world.tick(20.0)
+    assert set(world.roster.links) == {(0, 1), (0, 2), (1, 2)}
+    assert planner.paths
+    assert not any(planner.paths)
 
 
 def test_who_does_not_fit_need_not_ask_again_and_who_finds_no_room_may() -> None:

@@ -157,9 +157,9 @@ def test_who_never_goes_on_is_waited_for_only_so_long() -> None:
     for person, steps in zip((ann, ben), before, strict=True):
         assert person.copy.peer.steps - steps > 120
     for person, other in ((ann, 1), (ben, 0)):  # each goes on with the other's samples as young as ever
-        last, at = person.copy._last, person.copy.peer.neighbours.index(other)
-        assert last is not None
-        assert last.age[at] < 0.2
+        age = next(link.age for link in person.copy.status(world.now).links if link.slot == other)
+        assert age is not None
+        assert age < 0.2
     assert ann.states()[2] in {"guarded", "ready"}  # it may have caught up with where she was last
 
 

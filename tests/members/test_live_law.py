@@ -1,8 +1,10 @@
 """Sessions whose links a law holds that is passive by itself, instead of guarded springs."""
 
+import json
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -151,7 +153,7 @@ def _shift(person: Person, offset: float) -> None:
             arrived = person.samples.poll()
             return [Arrival(one.payload, one.source, one.time + offset) for one in arrived]
 
-    person.member._paths.transport = Shifted(person.member._paths.transport)  # pyright: ignore[reportAttributeAccessIssue]
+    person.paths.transport = Shifted(person.paths.transport)  # pyright: ignore[reportAttributeAccessIssue]
     step, service = person.member.step, person.member.service
     person.member.step = lambda now, T: step(now + offset, T)  # pyright: ignore[reportAttributeAccessIssue]
     person.member.service = lambda now: service(now + offset)  # pyright: ignore[reportAttributeAccessIssue]
@@ -631,8 +633,15 @@ def test_who_has_another_law_of_that_name_is_told_so() -> None:
     world = World(text(), tick=2.5e-3)
     world.join("Ann")
     ben = world.join("Ben")
-    asking = ben.member._asking
-    asking.request = asking.request.model_copy(update={"law": "paid 0123456789abcdef"})
+    control: Any = ben.control
+    send = control.send
+
+    def otherwise(topic: str, body: bytes, *, to: bytes | None = None) -> None:
+        if topic == "join":
+            body = json.dumps(json.loads(body) | {"law": "paid 0123456789abcdef"}).encode()
+        send(topic, body, to=to)
+
+    control.send = otherwise
     with pytest.raises(
         SessionError, match='links of this session use law "paid", and this machine has a different one'
     ):

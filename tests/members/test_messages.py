@@ -18,7 +18,7 @@ def test_noise_is_nothing(noise: bytes, kind) -> None:
 
 @given(st.integers(0, 400), st.integers(0, 255))
 def test_a_changed_byte_is_read_or_not_but_never_raises(place: int, byte: int) -> None:
-    status = Status(slot=3, links=[LinkStatus(slot=1, state="coupled", ages=0.1)])
+    status = Status(slot=3, links=[LinkStatus(slot=1, state="coupled", age_sum=0.1)])
     body = bytearray(write_message(status))
     body[place % len(body)] = byte
     commanded = read_message(Status, bytes(body))

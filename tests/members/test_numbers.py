@@ -42,15 +42,15 @@ SLOTS = st.sampled_from([0, 1, 2, 3, 31, 32, -1, 2**64])
 ENTRY = st.fixed_dictionaries({"slot": SLOTS, "name": NAMES, "key": KEYS, "start": STARTS})
 LINK = st.fixed_dictionaries({"slot": SLOTS, "state": st.sampled_from(["coupled", "keys", "?", "x" * 200])}).flatmap(
     lambda base: record(
-        age=FLOATS, ages=FLOATS, budget=FLOATS, round_trip=FLOATS, loss=FLOATS, rate=FLOATS, force=FLOATS, work=FLOATS,
-        difference=FLOATS, guarded=ENDS,
+        age=FLOATS, age_sum=FLOATS, budget=FLOATS, round_trip=FLOATS, loss=FLOATS, rate=FLOATS, force=FLOATS,
+        work=FLOATS, difference=FLOATS, guarded=ENDS,
     ).map(lambda more: base | more)
 )  # fmt: skip
 STATUS = st.fixed_dictionaries({"slot": SLOTS}).flatmap(
     lambda base: record(
-        epoch=ENDS, time=FLOATS, steps=ENDS, rate=FLOATS, period=FLOATS, longest=FLOATS, missed=ENDS, stood=FLOATS,
-        force=FLOATS, position=st.lists(FLOATS, max_size=4), supplied=FLOATS, lost=FLOATS, linked=FLOATS,
-        rescaled=FLOATS, energy=FLOATS, initial=FLOATS, residual=FLOATS, damping=FLOATS, certificate=FLOATS,
+        epoch=ENDS, time=FLOATS, steps=ENDS, rate=FLOATS, nominal_period=FLOATS, longest_period=FLOATS, missed=ENDS,
+        stood=FLOATS, force=FLOATS, position=st.lists(FLOATS, max_size=4), supplied=FLOATS, lost=FLOATS, linked=FLOATS,
+        rescaled=FLOATS, energy=FLOATS, initial=FLOATS, residual=FLOATS, damping=FLOATS, damping_margin=FLOATS,
         links=st.lists(LINK, max_size=4), unsent=st.booleans(), alarms=ENDS, roster=KEYS,
         closure=FLOATS, closure_factor=FLOATS, closure_alarms=ENDS,
         round_trips=st.lists(st.tuples(SLOTS, FLOATS), max_size=4), initial_energies=FLOATS,
@@ -87,15 +87,10 @@ def world() -> World:
     for name in ("Ann", "Ben", "Cleo"):
         made.join(name, moves=False)
     made.until(lambda: all(person.member.slot is not None for person in made.people), 8.0)
-    asking: Any = made.people[2].member._asking
-    due = asking.due
-
-    def stubborn(now: float, *, inside: bool) -> bytes | None:
-        """Whoever is refused for what it said itself goes on all the same."""
-        asking.refusal = None
-        return due(now, inside=inside)
-
-    asking.due = stubborn
+    control: Any = made.people[2].control
+    poll = control.poll
+    # Whoever is refused for what it said itself goes on all the same: it does not hear so.
+    control.poll = lambda: [message for message in poll() if message.topic != "refused"]
     return made
 
 
@@ -122,7 +117,7 @@ def test_signed_rosters_with_any_numbers_are_no_error_and_harm_nobody(world: Wor
     others = [person for person in world.people if person is not mallory]
     world.kill_host()
     world.run(5.0)
-    root = mallory.member._belief.chain[0]
+    root = world.kept[-1]
     for epoch in (0, root.roster.epoch, 2**32 - 1, 2**32, 2**52 - 1):
         for members in ([], root.roster.members, [*root.roster.members[:2], Entry(slot=31, name="Eve", key="f" * 64)]):
             names = [NameOwner(name="Eve", key="f" * 64)] if members[-1:] and members[-1].name == "Eve" else []

@@ -7,7 +7,7 @@ def test_what_was_before_a_restart_does_not_count() -> None:
     assert pace.since()["missed"] == 174
     pace.restart()
     pace.stepped(0.002, 0.0, 0.001)
-    assert pace.since() == {"rate": 500.0, "longest": 0.002, "missed": 0, "stood": 0.0, "busy": 0.5}
+    assert pace.since() == {"rate": 500.0, "longest_period": 0.002, "missed": 0, "stood": 0.0, "busy": 0.5}
     pace.restart(0.001)
     pace.stepped(0.002, 0.0, 0.001)
     assert pace.since()["missed"] == 1

@@ -40,7 +40,7 @@ def say(person: Person, chain: list[Decision] | tuple[Decision, ...], to: bytes 
 
 def lie(world: World, person: Person, roster: Roster) -> list[Decision]:
     """What a member signs on top of the host's last roster."""
-    return [person.member._belief.chain[0], signed(person.identity, world.host_identity.public, roster)]
+    return [world.kept[-1], signed(person.identity, world.host_identity.public, roster)]
 
 
 def changed(roster: Roster, *, epoch: int = 1, **fields: object) -> Roster:
@@ -191,7 +191,7 @@ def test_who_does_not_decide_is_not_believed_by_a_newcomer_either() -> None:
     mallory = world.people[2]
     world.kill_host()
     world.run(5.0)
-    root = mallory.member._belief.chain[0].roster
+    root = world.kept[-1].roster
     eve = EVE.public.hex()
     names = [*root.names, NameOwner(name="Dan", key=eve)]
     forged = changed(root, epoch=9, members=[*root.members, Entry(slot=3, name="Dan", key=eve)], names=names)
@@ -307,11 +307,9 @@ def test_false_presence_of_the_host_keeps_nobody_from_deciding() -> None:
 def test_who_is_sent_away_is_out_and_the_others_take_new_keys() -> None:
     world = three()
     ann, ben, cleo = world.people
-    epochs = {
-        (a.name, slot): held.keys._agreement.epoch for a in (ann, cleo) for slot, held in a.copy.neighbours.items()
-    }
+    epochs = {(a.name, slot): held.link.seal.epoch for a in (ann, cleo) for slot, held in a.copy.neighbours.items()}
     assert world.host is not None
-    world.host.expel("Ben")
+    world.host.coordinator.expel("Ben")
     with pytest.raises(SessionError, match="the host expelled Ben"):
         world.run(1.0)
     world.people.remove(ben)
@@ -322,7 +320,7 @@ def test_who_is_sent_away_is_out_and_the_others_take_new_keys() -> None:
         assert {entry.name for entry in person.member.roster.members} == {"Ann", "Cleo"}
         assert ben.identity.public not in person.control.present()
         held = person.copy.neighbours[2 if person is ann else 0]
-        assert held.keys._agreement.epoch > epochs[person.name, held.entry.slot]
+        assert held.link.seal.epoch > epochs[person.name, held.entry.slot]
     assert world.all_coupled()
     again = world.join("Ben", moves=False, stranger=True)  # the place and the name are free
     world.until(lambda: again.member.slot is not None and world.all_coupled(), 15.0)

@@ -4,7 +4,7 @@ import numpy as np
 from tests.session.world import World, entropy
 
 from cotouch.control import SignedMessage
-from cotouch.members import Entry, SessionWatch, Status
+from cotouch.members import Entry, Roster, SessionWatch, Status, write_message
 from cotouch.samples import Identity
 
 THREE = """
@@ -20,6 +20,16 @@ def watched(world: World) -> tuple[SessionWatch, Identity]:
     identity = Identity.make(entropy(99))
     control = world.controls.join(identity)
     return SessionWatch(control, host=world.host_identity.public), identity
+
+
+def said(entry: Entry, status: Status) -> SignedMessage:
+    return SignedMessage(bytes.fromhex(entry.key), "status", write_message(status), direct=False)
+
+
+def tell(watch: SessionWatch, entry: Entry, status: Status, now: float) -> None:
+    """Somebody who is alone in the session says something of itself."""
+    watch.follow(Roster(members=[entry]), now)
+    watch.receive(said(entry, status), frozenset(), now)
 
 
 def test_members_that_a_watcher_cannot_reach_are_handed_on_by_the_host() -> None:
@@ -85,7 +95,7 @@ def test_names_are_remembered_only_so_many() -> None:
     entry = watch.members[0].entry
     rng = np.random.default_rng(0)
     for k in range(400):
-        watch._note(entry.model_copy(update={"name": f"guest {k}"}), Status(slot=0, steps=int(rng.integers(9))), 0.0)
+        tell(watch, entry.model_copy(update={"name": f"guest {k}"}), Status(slot=0, steps=int(rng.integers(9))), 0.0)
     assert len(watch.last) == 256
     assert "guest 399" in watch.last
     assert "guest 143" not in watch.last
@@ -96,8 +106,8 @@ def test_it_is_said_once_that_forces_and_energy_disagree() -> None:
     watch, _ = watched(world)
     entry = Entry(slot=0, name="Ann", key="0" * 64)
     for alarms in (0, 0, 2, 2, 5):
-        watch._note(entry, Status(slot=0, steps=9, closure_alarms=alarms), 0.0)
-    texts = [event.text for event in watch.events]
+        tell(watch, entry, Status(slot=0, steps=9, closure_alarms=alarms), 0.0)
+    texts = [event.text for event in watch.events if event.text != "Ann joined"]
     assert texts == ["ALARM: forces and energy of Ann's copy disagree; its steps are too long"]
 
 
@@ -107,7 +117,7 @@ def test_what_there_is_to_say_of_a_device_reaches_who_watches() -> None:
     watch, _ = watched(world)
     said = ["", "real-time priority was refused", "force is off", "force is off"]
     assert ann.member is not None
-    ann.member._device = lambda: said.pop(0) if len(said) > 1 else said[0]
+    ann.device = lambda: said.pop(0) if len(said) > 1 else said[0]
     for _ in range(100):
         world.run(0.05)
         watch.service(world.now)
@@ -130,12 +140,13 @@ def test_it_knows_that_somebody_took_a_part_of_the_ledger_along() -> None:
     assert not watch.left
     again = watch.members[1].status
     assert again is not None
-    watch._note(watch.members[1].entry, again.model_copy(update={"steps": again.steps - 1}), world.now)
+    began = again.model_copy(update={"steps": again.steps - 1})
+    watch.receive(said(watch.members[1].entry, began), frozenset(), world.now)
     assert watch.left  # began anew
     watch.left = False
     world.leave(people[0])
     look(3.0)
     assert watch.left
-    late = SessionWatch(watch._control, host=world.host_identity.public)
+    late = SessionWatch(world.controls.join(Identity.make(entropy(98))), host=world.host_identity.public)
     late.follow(watch.roster, world.now)
     assert late.left  # who came later knows it, too

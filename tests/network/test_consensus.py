@@ -39,7 +39,7 @@ def test_agrees_with_dense_eigenvalues(seed, convention, unit):
     dense = moduli(J)
     result = mixing(network, time_unit=unit, convention=convention, rounding="up")
     on_circle = int((dense > 1 - 1e-9).sum())
-    assert on_circle == result.period, "a chain of period p has p eigenvalues on the unit circle"
+    assert on_circle == result.cycle_period, "a chain of period p has p eigenvalues on the unit circle"
     # A defective eigenvalue 0 of J comes out of the dense solver as large as eps^(1/size).
     assert result.value == pytest.approx(dense[1], abs=1e-9 if dense[1] > 0.3 else 0.3)
     condensed = moduli(lifted_matrix(weights, lags))
@@ -58,7 +58,7 @@ def test_odd_ring_with_unit_delays():
         assert mixing(network, time_unit=1.0).value == pytest.approx(math.cos(math.pi / n), abs=1e-12)
         # Lag 2 instead of 1: the same chain in the square of z.
         result = mixing(network, time_unit=1.0, convention="matrix")
-        assert (result.value, result.period, result.time_constant_s) == (1.0, 2, math.inf)
+        assert (result.value, result.cycle_period, result.time_constant_s) == (1.0, 2, math.inf)
 
 
 def test_time_constant():
@@ -68,8 +68,8 @@ def test_time_constant():
 
 def test_two_users_and_bipartite_graphs_never_mix():
     for links, n in (([(0, 1)], 2), (ring(6), 6)):
-        assert mixing(uniform(links, n, delay=0.03), time_unit=0.01).period == 6
-    assert mixing(uniform(ring(5), 5, delay=0.03), time_unit=0.01).period == 3
+        assert mixing(uniform(links, n, delay=0.03), time_unit=0.01).cycle_period == 6
+    assert mixing(uniform(ring(5), 5, delay=0.03), time_unit=0.01).cycle_period == 3
 
 
 @settings(max_examples=examples(60), deadline=None)
@@ -128,8 +128,8 @@ def test_reference_values(convention, best, value, worst, worst_value, periodic)
     assert GRAPHS[int(np.argmin(values))] == pairs(best)
     assert values.min() == pytest.approx(value, abs=1e-6)
     assert values.max() == pytest.approx(worst_value, abs=1e-6)
-    assert sum(result.period > 1 for result in results) == periodic
-    assert ((values == 1.0) == [result.period > 1 for result in results]).all()
+    assert sum(result.cycle_period > 1 for result in results) == periodic
+    assert ((values == 1.0) == [result.cycle_period > 1 for result in results]).all()
     if worst:
         assert GRAPHS[int(np.argmax(values))] == pairs(worst)
 
@@ -138,15 +138,15 @@ def test_reference_values(convention, best, value, worst, worst_value, periodic)
 @pytest.mark.parametrize(("convention", "periodic"), [("equation", 11), ("matrix", 17)])
 def test_periodic_graphs_on_the_coarse_grid(convention, periodic, rounding):
     results = mixings(convention, 0.05, rounding)
-    assert sum(result.period > 1 for result in results) == periodic
+    assert sum(result.cycle_period > 1 for result in results) == periodic
 
 
 def test_a_finer_grid_makes_every_graph_periodic():
     """All delays of the paper are whole hundredths: at a millisecond, the equation's cycles share the factor 10."""
     network = five_users().with_links(pairs("12 14 23 24 34 45"))
-    assert mixing(network, time_unit=0.001).period == 10
+    assert mixing(network, time_unit=0.001).cycle_period == 10
     result = mixing(network, time_unit=0.001, convention="matrix")
-    assert result.period == 1
+    assert result.cycle_period == 1
     assert 0.999 < result.value < 1
 
 

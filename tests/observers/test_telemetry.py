@@ -1,11 +1,13 @@
 """Members that are shown and told things by mailboxes, on a virtual clock."""
 
 from pathlib import Path
+from urllib.parse import unquote
 
 import numpy as np
 import pytest
-from tests.session.world import World
+from tests.session.world import Person, World
 
+from cotouch.mailbox import MailboxReader
 from cotouch.observers import Emulated, MailboxFolder, Pointer
 from cotouch.recording import audit, read_recording
 
@@ -193,7 +195,7 @@ def test_without_its_damping_a_session_runs_away_is_caught_and_settles(tmp_path:
     commands.damping(0.02)
     world.run(0.1)
     assert [person.copy.damping_fraction for person in world.people] == [0.02, 0.02]
-    certificate = one.copy.status(world.now).certificate
+    certificate = one.copy.status(world.now).damping_margin
     assert certificate == pytest.approx(-0.98)
     most = 0.0
     for _ in range(200):
@@ -212,7 +214,7 @@ def test_without_its_damping_a_session_runs_away_is_caught_and_settles(tmp_path:
     world.run(8.0)
     assert sum(person.copy.totals.energy for person in world.people) < 1e-3 * most
     assert world.all_coupled()
-    assert one.copy.status(world.now).certificate == pytest.approx(0.0)
+    assert one.copy.status(world.now).damping_margin == pytest.approx(0.0)
     assert all(person.copy.totals.alarms == 0 for person in world.people)
 
 
@@ -274,11 +276,14 @@ def test_the_shortest_recording_has_a_step(world: World) -> None:
         outcome = commands.outcome(person.name)
         assert outcome is not None
         assert (outcome.number, outcome.trouble) == (1, "")
-        assert outcome.steps == read_recording(world.mailboxes.recording(person.name, 1, life(world, person))).steps
+        assert outcome.steps == read_recording(file_of(world, person)).steps
 
 
-def life(world: World, person) -> int:
-    return int(1e3 * person.telemetry._life)
+def file_of(world: World, person: Person) -> Path:
+    """The one file of its first recording."""
+    assert world.mailboxes is not None
+    (path,) = (path for path in world.mailboxes.recordings(1) if unquote(path.name).startswith(f"{person.name}."))
+    return path
 
 
 def test_what_was_over_before_a_member_came_is_not_for_it(tmp_path: Path) -> None:
@@ -301,7 +306,7 @@ def test_a_recording_that_is_taken_away_is_told_at_once_and_the_copy_moves_on(wo
     world.run(0.5)
     assert world.mailboxes is not None
     assert other.member.status(world.now).recording == "on"
-    world.mailboxes.recording(one.name, 1, life(world, one)).unlink()
+    file_of(world, one).unlink()
     for _ in range(200):
         world.run(0.02)
         outcome = commands.outcome(one.name)
@@ -373,3 +378,10 @@ def test_views_come_after_every_step_of_a_small_body(world: World) -> None:
     world.run(0.2)
     assert one.copy.peer is not None
     assert commanded(world, one.name).number(one.name, "step") == one.copy.peer.steps > before
+
+
+def test_a_view_says_how_long_the_last_step_was(world: World, tmp_path: Path) -> None:
+    name = world.people[0].name
+    view = MailboxReader(MailboxFolder(tmp_path).view(name)).read()
+    assert view is not None
+    assert float(view["period"]) == pytest.approx(1.0 / 250.0, rel=0.3)

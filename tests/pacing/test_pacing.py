@@ -86,7 +86,7 @@ def test_beyond_the_cap_the_rest_is_told() -> None:
     assert turn.too_long == pytest.approx(0.04, abs=1e-5)
     assert paced.wait().too_long == 0.0
     assert paced.statistics().too_long == 1
-    assert paced.statistics().T_max == pytest.approx(0.05, abs=1e-5)
+    assert paced.statistics().period_max == pytest.approx(0.05, abs=1e-5)
 
 
 @given(
@@ -231,7 +231,7 @@ def test_nothing_is_known_before_the_first_step() -> None:
     done = pacer(Clock()).statistics()
     assert done.steps == 0
     assert math.isnan(done.late_p50)
-    assert math.isnan(done.T_mean)
+    assert math.isnan(done.period_mean)
 
 
 @pytest.mark.parametrize(
@@ -252,7 +252,7 @@ def test_on_the_real_clock() -> None:
     paced = Pacer(0.002)
     turns = [paced.wait() for _ in range(50)]
     assert all(turn.T >= 0.001 for turn in turns)
-    assert sum(turn.T for turn in turns) == pytest.approx(50 * paced.statistics().T_mean)
+    assert sum(turn.T for turn in turns) == pytest.approx(50 * paced.statistics().period_mean)
 
 
 def test_a_process_gets_back_what_it_gave() -> None:

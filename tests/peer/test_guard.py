@@ -420,17 +420,21 @@ def test_rounding_is_paid():
     k = couple(end)
     assert end.tank == pytest.approx(0.1 - charge)
     end.settle(4.0, T)
-    assert end.tank == pytest.approx(0.1 - charge + 0.5 * K * end._surplus * 4.0 * T - K * 1e-3 * 2.0 * T)
+    left = 0.05 - 0.1 / 16.0  # of the budget
+    surplus = left - T - 0.5 * T
+    assert end.tank == pytest.approx(0.1 - charge + 0.5 * K * surplus * 4.0 * T - K * 1e-3 * 2.0 * T)
     poor = guard(rounding=1e-3, initial_energy=0.5 * charge)
     for k in range(40):
         feed(poor, k, LinkHeader(LinkState.READY, 7, 1))
     assert poor.state == LinkState.READY
     broke = guard(rounding=1e-3, initial_energy=charge * 1.0001)
     k = couple(broke)
-    broke._surplus = 0.0
+    just = T * (k + 1) - left + 0.25 * T  # so old that of the budget half a step is not left
+    feed(broke, k, LinkHeader(LinkState.COUPLED, 7, 1), stamp=just)
+    assert broke.state == LinkState.COUPLED
     broke.settle(1.0, T)
     assert broke.tank < 0.0
-    feed(broke, k, LinkHeader(LinkState.COUPLED, 7, 1), desired=1e-4)
+    feed(broke, k + 1, LinkHeader(LinkState.COUPLED, 7, 1), desired=1e-4)
     assert (broke.state, broke.events[-1].reason) == (LinkState.GUARDED, "rounding")
 
 

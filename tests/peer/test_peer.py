@@ -310,10 +310,10 @@ def test_a_new_link_is_relaxed_where_the_copy_is():
 
 
 @pytest.mark.parametrize("change", [
-    lambda one: one.connect(0, one._joined.sources[0], strength=1.0),
-    lambda one: one.connect(1, one._joined.sources[0], strength=1.0),
-    lambda one: one.connect(2, one._joined.sources[0], strength=-1.0),
-    lambda one: one.connect(2, one._joined.sources[0], strength=1.0, weight=1),
+    lambda one: one.connect(0, guard_of(1), strength=1.0),
+    lambda one: one.connect(1, guard_of(1), strength=1.0),
+    lambda one: one.connect(2, guard_of(1), strength=-1.0),
+    lambda one: one.connect(2, guard_of(1), strength=1.0, weight=1),
     lambda one: one.set_local_damping(np.array([-1.0])),
     lambda one: one.set_local_damping(np.array([np.nan])),
     lambda one: one.set_local_damping(np.zeros(2)),

@@ -28,7 +28,7 @@ def test_the_paper_s_five_users(objective, convention, best, value, worst, last,
     assert found.best.value == pytest.approx(value, abs=1e-6)
     assert found.worst.value == pytest.approx(last, abs=1e-6)
     if worst is None:
-        assert found.worst.period > 1
+        assert found.worst.cycle_period > 1
         assert found.worst.time_constant_s == math.inf
         assert found.worst.value == 1.0
     else:
@@ -214,7 +214,7 @@ def test_a_ring_of_equals_never_mixes():
     for i, j in ring(4):
         spring[i, j] = spring[j, i] = 1.0
     found = plan(Network(users=list("abcd"), spring=spring, delay=0.01 * (1 - np.eye(4))), links=4)
-    assert (found.best.value, found.best.period, found.periodic) == (1.0, 2, 1)
+    assert (found.best.value, found.best.cycle_period, found.periodic) == (1.0, 2, 1)
 
 
 def make(**changes: object) -> Network:
@@ -266,7 +266,7 @@ def test_networks_that_cannot_be_planned():
         plan(make(spring=NOT_JOINED), links=3)
     with pytest.raises(NetworkError, match="equation convention needs at least 1"):
         plan(make(delay=np.zeros((4, 4))), links=3)
-    assert plan(make(delay=np.zeros((4, 4))), links=6, convention="matrix").best.period == 1
+    assert plan(make(delay=np.zeros((4, 4))), links=6, convention="matrix").best.cycle_period == 1
     with pytest.raises(NetworkError, match="at least 2"):
         plan(Network(users=["a"], spring=[[0]], delay=[[0]]), links=0)
     with pytest.raises(UnsupportedError, match="weights"):

@@ -18,7 +18,7 @@ def test_values_are_those_of_the_networks_one_by_one():
     mixings = [mixing(network, time_unit=0.05, rounding="up") for network in networks]
     np.testing.assert_allclose(found.values["mixing"], [one.value for one in mixings], atol=1e-9)
     np.testing.assert_allclose(found.values["decay"], [rightmost_root(n, mass=2.0).rate for n in networks], atol=1e-9)
-    assert found.never == {"mixing": sum(one.period > 1 for one in mixings), "decay": 0}
+    assert found.never == {"mixing": sum(one.cycle_period > 1 for one in mixings), "decay": 0}
     assert (found.choices, found.never["mixing"] > 0) == (210, True)
 
 

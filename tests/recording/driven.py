@@ -62,6 +62,7 @@ class Driven:
         self.users = len(self.periods)
         self.model: Model = model(self.body, copies=self.users)
         self.recorders: list[Recorder] = []
+        self.links: list[dict[int, Link]] = [{} for _ in range(self.users)]
         self.reports: list[list[StepReport]] = [[] for _ in range(self.users)]
         self.states: list[list[tuple[Float, Float]]] = [[] for _ in range(self.users)]
 
@@ -82,7 +83,7 @@ class Driven:
         ready, width = self.model, self.model.width
         rows = ready.port_rows(0)
         ports = rows.size
-        links: dict[int, Link] = {
+        links = self.links[user] = {
             j: FreshestLink(Sample(sender=j, index=-1, stamp=self.clocks[j], position=zeros_like(ready)))
             for j in self.neighbours(user)
         }
@@ -157,7 +158,7 @@ class Driven:
                 self.hands[user](peer, now, self.periods[user])
             if self.disturb is not None:
                 self.disturb(peer, now)
-            used = [link.choose(peer.steps).index for link in peer._joined.sources]  # type: ignore[attr-defined]
+            used = [link.choose(peer.steps).index for link in self.links[user].values()]
             report = peer.step(own, self.periods[user])
             self.reports[user].append(report)
             self.states[user].append((peer.state.position.copy(), peer.state.velocity.copy()))

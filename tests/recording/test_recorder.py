@@ -12,12 +12,13 @@ import numpy as np
 import pytest
 from mcap.reader import make_reader
 from tests.recording.driven import Driven
+from tests.recording.inside import make
 
 from cotouch.body import lattice, point
 from cotouch.errors import RecordingError
 from cotouch.mechanics import State, model
 from cotouch.peer import LinkState, Sample, StepReport
-from cotouch.recording import RecordedBody, Recorder, RecordHeader, both_clocks, read_recording
+from cotouch.recording import NewFile, RecordedBody, Recorder, RecordHeader, both_clocks, read_recording
 
 
 def header(**fields: Any) -> RecordHeader:
@@ -163,24 +164,32 @@ def test_states_of_a_large_body_are_kept_less_often(tmp_path: Path) -> None:
 
 
 class SlowFile:
-    """Takes the first batch only when it is told to."""
+    """On a disk that takes bytes only while it may."""
 
-    def __init__(self, real: Any) -> None:
-        self.real = real
+    def __init__(self, path: Path) -> None:
+        self.raw = make(path)
         self.go = threading.Event()
+        self.go.set()
 
-    def batch(self, batch: Any) -> None:
+    def write(self, data: memoryview) -> int | None:
         assert self.go.wait(60.0)
-        self.real.batch(batch)
+        return self.raw.write(data)
 
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self.real, name)
+    def truncate(self, size: int) -> int:
+        return self.raw.truncate(size)
+
+    def fileno(self) -> int:
+        return self.raw.fileno()
+
+    def close(self) -> None:
+        self.raw.close()
 
 
 def test_a_disk_that_cannot_follow_costs_whole_batches_and_says_so(tmp_path: Path) -> None:
     path = tmp_path / "a.mcap"
-    recorder = Recorder(path, header(), batch=10, interval=1e9, buffers=3)
-    slow = recorder._file = SlowFile(recorder._file)  # type: ignore[attr-defined]
+    slow = SlowFile(path)
+    recorder = Recorder(NewFile(path, lambda _: slow), header(), batch=10, interval=1e9, buffers=3)
+    slow.go.clear()
     recorder.setup(10.0, copies=2, neighbours=[1], strength=[5.0])
     for k in range(100):
         recorder.step(report(k, value=float(k)), end=10 + k, T=1.0, state=state())
@@ -202,8 +211,9 @@ def test_a_disk_that_cannot_follow_costs_whole_batches_and_says_so(tmp_path: Pat
 
 def test_a_loop_on_a_virtual_clock_may_wait_for_the_disk_and_lacks_nothing(tmp_path: Path) -> None:
     path = tmp_path / "a.mcap"
-    recorder = Recorder(path, header(), batch=10, interval=1e9, buffers=3, waits=True)
-    slow = recorder._file = SlowFile(recorder._file)  # type: ignore[attr-defined]
+    slow = SlowFile(path)
+    recorder = Recorder(NewFile(path, lambda _: slow), header(), batch=10, interval=1e9, buffers=3, waits=True)
+    slow.go.clear()
     recorder.setup(10.0, copies=2, neighbours=[1], strength=[5.0])
     threading.Timer(0.2, slow.go.set).start()
     for k in range(100):
@@ -249,9 +259,11 @@ def test_a_recording_is_never_written_over(tmp_path: Path) -> None:
 
 
 def test_closing_twice_and_recording_nothing(tmp_path: Path) -> None:
+    before = set(threading.enumerate())
     recorder = Recorder(tmp_path / "a.mcap", header())
+    (writing,) = set(threading.enumerate()) - before
     assert recorder.close() == recorder.close()
-    assert not recorder._thread.is_alive()  # type: ignore[attr-defined]
+    assert not writing.is_alive()
     with pytest.raises(RecordingError, match="ends before its first batch"):
         read_recording(tmp_path / "a.mcap")
 

@@ -31,6 +31,11 @@ class MemoryNetwork:
         self._paths: dict[tuple[str, str], EmulatedPath] = {}
         self._waiting: dict[str, list[tuple[float, int, str, bytes]]] = {}
         self._count = 0
+        self._joined: dict[str, MemoryTransport] = {}
+
+    def __getitem__(self, address: str) -> "MemoryTransport":
+        """The transport that joined at this address."""
+        return self._joined[address]
 
     def set(self, sender: str, receiver: str, law: PathLaw) -> None:
         """Changes the law of one direction.
@@ -56,7 +61,8 @@ class MemoryNetwork:
         if address in self._waiting:
             raise SessionError(f"address {address!r} is taken; every member needs its own")
         self._waiting[address] = []
-        return MemoryTransport(self, address)
+        self._joined[address] = MemoryTransport(self, address)
+        return self._joined[address]
 
     def carry(self, sender: str, receiver: str, payload: bytes) -> None:
         """Takes a datagram on its way; anybody may write any sender on it.

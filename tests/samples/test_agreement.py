@@ -4,9 +4,11 @@ import copy
 import pickle
 
 import pytest
+from cryptography.hazmat.primitives.asymmetric.x25519 import X25519PrivateKey
 from hypothesis import given
 from hypothesis import strategies as st
-from tests.live.support import agree, agreements, entropy, identities, in_a_fork
+from tests.live.support import SESSION, agree, agreements, entropy, identities, in_a_fork
+from tests.samples import written
 
 from cotouch.errors import SessionError
 from cotouch.samples import Agreement, Identity
@@ -48,19 +50,22 @@ def test_exactly_one_end_begins(side: int):
 
 
 def test_another_session_or_secret_gives_nothing():
-    first, second = identities()
+    first, second = sorted(identities(), key=lambda who: who.public)
     initiator, responder = agreements(first, second, session=(b"this", b"that"))
     assert responder.receive(initiator.start()).refused == "another session, secret or other members"
     initiator, responder = agreements(first, second, secret=(b"invited", b"guessed"))
     assert responder.receive(initiator.start()).refused == "another session, secret or other members"
-    initiator._tag_key = responder._tag_key  # as if the MAC proved nothing
-    reply = responder.receive(initiator.start()).message
-    assert initiator.receive(reply).refused == "another secret"
+    # As if the MAC proved nothing: somebody on the way makes it true at either end.
+    about = written.context(SESSION, first.public, second.public)
+    reply = responder.receive(written.tagged(initiator.start()[: -written.TAG], about, b"guessed")).message
+    assert reply is not None
+    assert initiator.receive(written.tagged(reply[: -written.TAG], about, b"invited")).refused == "another secret"
 
 
 def test_without_the_secret_nothing_is_spent(monkeypatch: pytest.MonkeyPatch):
     """Neither a signature is looked at nor a key agreed on, whatever comes."""
-    initiator, responder = agreements(*identities(), secret=(b"guessed", b"invited"))
+    first, second = sorted(identities(), key=lambda who: who.public)
+    initiator, responder = agreements(first, second, secret=(b"guessed", b"invited"))
     hello = initiator.start()
     spent: list[str] = []
     for name in ("_signed", "_derive"):
@@ -68,8 +73,8 @@ def test_without_the_secret_nothing_is_spent(monkeypatch: pytest.MonkeyPatch):
     for message in (hello, hello[:-1] + b"x", b"ctk1\1".ljust(len(hello), b"x")):
         assert responder.receive(message).refused == "another session, secret or other members"
     assert spent == []
-    responder._tag_key = initiator._tag_key
-    responder.receive(hello)
+    about = written.context(SESSION, first.public, second.public)
+    responder.receive(written.tagged(hello[: -written.TAG], about, b"invited"))
     assert spent == ["_signed"]
 
 
@@ -81,13 +86,12 @@ def test_another_member_cannot_speak_for_one():
     as_bob = Agreement(identity=mallory, other=alice.public, session=b"s", connection=3, entropy=entropy(3))
     hello = to_bob.start()
     assert as_bob.receive(hello).refused == "another session, secret or other members"
-    as_bob._context, as_bob._tag_key = to_bob._context, to_bob._tag_key  # Mallory can write anything but a signature
-    forged = as_bob.receive(hello)
-    assert to_bob.receive(forged.message).refused == "signature"
-    as_alice = Agreement(identity=mallory, other=bob.public, session=b"s", connection=4, entropy=entropy(4))
-    as_alice.initiator, as_alice._context = True, from_alice._context
-    as_alice._tag_key = from_alice._tag_key
-    assert from_alice.receive(as_alice.start()).refused == "signature"
+    # Mallory can write anything but a signature.
+    about = written.context(b"s", alice.public, bob.public)
+    ephemeral = X25519PrivateKey.from_private_bytes(entropy(4)(32)).public_key().public_bytes_raw()
+    forged = written.tagged(written.reply(mallory, ephemeral, hello[: -written.TAG]), about)
+    assert to_bob.receive(forged).refused == "signature"
+    assert from_alice.receive(written.tagged(written.hello(mallory, ephemeral, about), about)).refused == "signature"
     # Neither did any harm.
     assert agree(to_bob, from_alice)[0].epoch == 1
 
@@ -96,15 +100,33 @@ def test_an_old_hello_leads_to_no_keys_and_disturbs_nothing():
     initiator, responder = agreements(*identities())
     old = [initiator.start() for _ in range(20)]
     hello = initiator.start()
-    for message in old[:10]:
-        responder.receive(message)
-    assert len(responder._pending) == len(responder._answered) == 4
+    replies = [responder.receive(message).message for message in old[:10]]
+    # It remembers four, and answers them as before.
+    assert [responder.receive(message).message for message in old[6:10]] == replies[6:]
+    assert responder.receive(old[5]).message not in {None, replies[5]}
     reply = responder.receive(hello).message
     for message in old[10:13]:
         assert responder.receive(message).keys is None
     confirm = initiator.receive(reply)
     assert responder.receive(confirm.message).keys is not None
-    assert len(responder._pending) == len(responder._answered) == 0
+    assert responder.receive(hello).message not in {None, reply}  # it remembers none of them any more
+
+
+@pytest.mark.parametrize("others", [3, 4])
+def test_what_was_replied_before_four_others_cannot_be_confirmed(others: int):
+    initiator, responder = agreements(*identities())
+    confirm = initiator.receive(responder.receive(initiator.start()).message).message
+    for _ in range(others):
+        responder.receive(initiator.start())
+    confirmed = responder.receive(confirm)
+    assert confirmed.refused == (None if others < 4 else "no confirmation of what was replied")
+
+
+def test_what_was_replied_before_keys_were_agreed_on_cannot_be_confirmed():
+    initiator, responder = agreements(*identities())
+    earlier, later = (initiator.receive(responder.receive(initiator.start()).message).message for _ in range(2))
+    assert responder.receive(later).keys is not None
+    assert responder.receive(earlier).refused == "no confirmation of what was replied"
 
 
 def test_messages_may_be_doubled():
@@ -136,11 +158,10 @@ def test_a_captured_exchange_is_worth_nothing_later():
 @pytest.mark.parametrize("point", [bytes(32), b"\1" + bytes(31), b"\xec" + b"\xff" * 30 + b"\x7f"])
 def test_a_point_of_small_order_is_refused(point: bytes, monkeypatch: pytest.MonkeyPatch):
     """A member that makes the keys foreseeable, and signs for it."""
-    initiator, responder = agreements(*identities())
-    true = initiator.start()[:-80]  # without signature and tag: it ends with the ephemeral key and the context
-    body = true[:-64] + point + true[-32:]
-    hello = body + initiator._sign(b"hello", body)
-    assert responder.receive(initiator._tagged(hello)).refused == "ephemeral key"
+    first, second = sorted(identities(), key=lambda who: who.public)
+    _, responder = agreements(first, second)
+    about = written.context(SESSION, first.public, second.public)
+    assert responder.receive(written.tagged(written.hello(first, point, about), about)).refused == "ephemeral key"
 
 
 @pytest.mark.parametrize("which", range(3))

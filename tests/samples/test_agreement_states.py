@@ -12,6 +12,7 @@ from hypothesis import HealthCheck, Phase, settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, precondition, rule, run_state_machine_as_test
 from tests.live.support import entropy, identities
+from tests.samples import written
 
 from cotouch.samples import Agreement, Identity, LinkKeys
 
@@ -96,7 +97,8 @@ class Network(RuleBasedStateMachine):
         # Who pretends takes a signature that it heard, and goes on from what it made.
         at = len(message) - (80 if kind == 1 else 112)  # signature and tag, and where there are keys their proof
         made = message[:at] + whom.signatures[kind][at : at + 64] + message[at + 64 : -16]
-        self.said.append(end.agreement._tagged(made))
+        about = written.context(end.session, ALICE.public, BOB.public)
+        self.said.append(written.tagged(made, about, b"all"))
         if kind == 1:
             assert end.agreement._hello is not None
             end.agreement._hello = (made, end.agreement._hello[1])

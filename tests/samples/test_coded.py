@@ -248,7 +248,7 @@ def test_a_members_noise_is_finite_and_bounded() -> None:
         network.now = 0.001 * (k + 1)
         sealed = link.seal.seal(mutated(rng, good)[: MOST_BYTES - OVERHEAD])
         assert sealed is not None
-        users[0]._transport.send(1, sealed)
+        network["at 0"].send(1, sealed)
         users[1].poll(network.now)
         users[1].stepped(network.now)
     held = users[1].links[0]

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from tests.live.support import agree, agreements, identities, in_a_fork, sealed_pair
 
 from cotouch.errors import SessionError
-from cotouch.samples import MOST_SEALED, OVERHEAD, RENEW_EVERY, Opened, Refusal, ReplayWindow, SealedLink
+from cotouch.samples import OVERHEAD, RENEW_EVERY, Opened, Refusal, ReplayWindow, SealedLink
 
 PAYLOAD = bytes(range(200))
 HEADER = struct.Struct(">BBHIQ")  # version, 0, epoch of keys, connection, sequence
@@ -89,13 +89,20 @@ def test_without_keys_nothing_is_sealed_or_opened():
     assert bare.wants_keys(0.0)
 
 
-def test_keys_are_used_up():
+def test_keys_are_used_up(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr("cotouch.samples._seal.MOST_SEALED", 100)
+    monkeypatch.setattr("cotouch.samples._seal.RENEW_AFTER", 50)
     one, two = sealed_pair()
-    one._sequence = MOST_SEALED - 1
+    for _ in range(49):
+        sealed(one)
+    assert not one.wants_keys(0.0)
+    sealed(one)
     assert one.wants_keys(0.0)
+    for _ in range(49):
+        sealed(one)
     assert isinstance(two.open(sealed(one), 0.0), Opened)
     assert one.seal(PAYLOAD) is None
-    beyond = HEADER.pack(0xC1, 0, 1, two.connection, MOST_SEALED) + bytes(30)
+    beyond = HEADER.pack(0xC1, 0, 1, two.connection, 100) + bytes(30)
     assert two.open(beyond, 0.0) is Refusal.REPLAYED
 
 
@@ -174,13 +181,17 @@ class TestNewKeys:
     def test_keys_of_an_earlier_epoch_are_not_installed_again(self):
         initiator, responder = agreements(*identities())
         first, _ = agree(initiator, responder)
-        second, _ = agree(initiator, responder)
-        link = SealedLink()
+        second, others = agree(initiator, responder)
+        link, other = SealedLink(), SealedLink()
         link.install(second)
+        other.install(others)
         sealed(link)
         for old in (first, second):
             link.install(old)
-            assert (link.epoch, link.sealed, link._next) == (2, 1, None)
+            assert (link.epoch, link.sealed) == (2, 1)
+        assert isinstance(link.open(sealed(other), 0.0), Opened)  # nor do they wait for the other end to be heard
+        assert isinstance(other.open(sealed(link), 0.0), Opened)
+        assert (link.epoch, link.sealed) == (2, 2)
 
 
 def both_open(one: SealedLink, two: SealedLink) -> None:

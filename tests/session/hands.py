@@ -78,15 +78,14 @@ class Held:
         **more: float,
     ) -> None:
         request = HandCommand(
-            1,
-            pointer,
-            mode,
-            node,
-            tuple(map(float, target)),
-            more.get("radius", 0),
-            more.get("stiffness", 0),
-            tuple(map(float, target if start is None else start)),
-            tuple(map(float, edge)),
+            number=1,
+            pointer=pointer,
+            mode=mode,
+            node=node,
+            target=tuple(map(float, target)),
+            start=tuple(map(float, target if start is None else start)),
+            edge=tuple(map(float, edge)),
+            **more,
         )
         self.queue.append(request)
 

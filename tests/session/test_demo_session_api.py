@@ -152,10 +152,10 @@ class Script:
         yield lambda: states(api, 0, 1) == {"coupled"}
 
         api.do(SetDamping(fraction=0.5))
-        yield lambda: all((status.certificate or 0.0) < -0.4 for status in api.overview().statuses.values())
+        yield lambda: all((status.damping_margin or 0.0) < -0.4 for status in api.overview().statuses.values())
         assert any("not passive" in event.text for event in api.overview().events)
         api.do(SetDamping(fraction=1.0))
-        yield lambda: all((status.certificate or 0.0) > -1e-9 for status in api.overview().statuses.values())
+        yield lambda: all((status.damping_margin or 0.0) > -1e-9 for status in api.overview().statuses.values())
 
         # All copies run away in the end, are caught, and calm down; nobody's process dies of it.
         api.do(MoveHand(slot=0, mode="pull", node=0, to=(0.03, 0.0, 0.0)))
@@ -275,8 +275,9 @@ class QuietHost:
         self.host = SimpleNamespace(
             watch=SimpleNamespace(events=[], roster=Roster(), members={}, left=False, ended=False),
             roster=Roster(),
-            choose=lambda links: None,
-            expel=lambda name, ban: self.expelled.append((name, ban)),
+            coordinator=SimpleNamespace(
+                choose=lambda links: None, expel=lambda name, ban: self.expelled.append((name, ban))
+            ),
         )
         self.invitation = SimpleNamespace(encode=lambda: "invitation")
 
@@ -353,7 +354,7 @@ def test_whoever_came_from_elsewhere_is_sent_away_and_the_place_of_a_process_her
 
         here()
         assert api.overview().alive == {0: True, 1: True, 2: True}
-        assert asked(1) == "the place of Ben is free"
+        assert asked(1) == "the slot of Ben is free"
         assert opened.expelled == [("Ben", False)]
         assert not api.members["Ben"].running
         assert api.overview().alive == {0: True, 1: False, 2: True}

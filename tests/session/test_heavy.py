@@ -22,7 +22,7 @@ def low(person: Person) -> float:
 
 def load(*people: Person) -> float:
     """What the table carries [N]."""
-    reports = [person.copy._last for person in people]
+    reports = [person.steps.last for person in people]
     return sum(report.world_force[2] for report in reports if report is not None)
 
 

@@ -56,22 +56,22 @@ ALONE = '{kind = "paid", relay = 0.0}'
 def live(law: str) -> Lived:
     """The members' motion, with the names of a simulated run; each one's time begins when it begins to move."""
     text = SCENARIO.replace("LAW", ALONE if law == "paid" else f'"{law}"')
-    world = World(text.replace("OPTIONS", "margin = 0.0" if law == "spring" else ""))
+    rows: list[list[tuple[float, float, float]]] = [[] for _ in NAMES]
+    world = World(text.replace("OPTIONS", "margin = 0.0" if law == "spring" else ""), tape=Tape(rows))
     network = world.session.scenario.network
     people = [world.join(name) for name in NAMES]
     for i, one in enumerate(people):
         for j, other in enumerate(people):
             if i != j:
                 world.paths(one, other, PathLaw(delay=float(network.delay[j, i])), both=False)
-    rows: list[list[tuple[float, float, float]]] = [[] for _ in NAMES]
-    for person in people:
-        person.member._recorder = Tape(rows)
     world.until(world.all_coupled, BEGIN)
     assert all(person.copy.peer is not None for person in people)
     world.run(END + 1.8 - world.now)
     world.check()
     size = min(len(kept) for kept in rows)
     kept = np.array([entry[:size] for entry in rows])
+    for person in people:
+        kept[person.copy.slot, :, 0] -= world.now - person.copy.status(world.now).time
     run = xr.Dataset(
         attrs={"scenario": simulated(law=law).attrs["scenario"]},
         data_vars={
@@ -84,7 +84,7 @@ def live(law: str) -> Lived:
 
 
 class Tape:
-    """Keeps time, place and the hand's force of every step."""
+    """Keeps time on the world's clock, place and the hand's force of every step."""
 
     begun, failure = True, None
 
@@ -96,7 +96,7 @@ class Tape:
 
     def step(self, copy, report, now: float, T: float) -> None:
         place = float(copy.peer.model.to_nodes(copy.peer.state.position)[0, 0])
-        self._rows[copy.slot].append((now - copy._began, place, float(report.force.sum())))
+        self._rows[copy.slot].append((now, place, float(report.force.sum())))
 
     def event(self, kind: str, time: float, **fields) -> None:
         pass

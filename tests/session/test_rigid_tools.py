@@ -191,9 +191,9 @@ def test_what_turns_a_tool_is_the_couplings_with_a_device_that_renders_torques(t
     world.check()
     assert turns.core.turning is not None
     assert turns.device.wrist is not None
-    assert isinstance(ann.copy._hand, DeviceHand)
-    hold = ann.copy._hand._holds[0]
-    assert hold._twisted is not None
+    assert isinstance(ann.hand, DeviceHand)
+    (work,) = ann.hand.work
+    assert work.turning is not None
     for person in world.people:
         assert person.copy.totals.residual <= 1e-12
         assert person.session_recorder is not None
@@ -201,8 +201,8 @@ def test_what_turns_a_tool_is_the_couplings_with_a_device_that_renders_torques(t
     found = [read_recording(path) for path in world.recordings]
     assert audit(found).holds
     ours = found[0].columns
-    assert hold._twisted.end.work > 1e-3
-    assert ours["supplied"].sum() == pytest.approx(hold._end.work + hold._twisted.end.work, rel=1e-12)
+    assert work.turning > 1e-3
+    assert ours["supplied"].sum() == pytest.approx(work.place + work.turning, rel=1e-12)
     force = ours["force"].copy()
     force[:, 1] *= 1.01
     assert not audit([replace(found[0], columns={**ours, "force": force}), found[1]]).holds

@@ -26,10 +26,13 @@ from cotouch.members import (
     SessionRecorder,
     SharedModel,
     Slot,
+    StepRecorder,
     path_laws,
 )
 from cotouch.observers import CommandClient, MailboxFolder, TelemetryPublisher
+from cotouch.peer import StepReport
 from cotouch.samples import Identity, ImpairedTransport, PathLaw, Transport
+from cotouch.traversal import PathState
 
 _SERVICE = 0.02
 
@@ -57,36 +60,78 @@ class MemoryPaths:
             directory: address of each member by its public key.
             path: time there and back to an address [s].
         """
-        self.transport = transport
+        self._transport = transport
         self._directory = directory
         self._path = path
         self._at: dict[int, str] = {}
 
-    def introduce(self, slot: int, key: bytes) -> None:
+    def introduce(self, neighbour: int, member: bytes) -> None:
         """Follows it to its address.
 
         Args:
-            slot: the user's.
-            key: public key of its member.
+            neighbour: the user's slot.
+            member: public key of its member.
         """
-        self._at[slot] = self._directory[key]
-        self.transport.follow(slot, self._at[slot])
+        self._at[neighbour] = self._directory[member]
+        self._transport.follow(neighbour, self._at[neighbour])
 
-    def round_trip(self, slot: int) -> float | None:
+    def round_trip(self, neighbour: int) -> float | None:
         """As it was told."""
-        return self._path(self._at[slot]) if slot in self._at else None
+        return self._path(self._at[neighbour]) if neighbour in self._at else None
 
     def take(self, message: SignedMessage) -> bool:
         """Nothing is said about ways."""
         return False
 
-    def path_state(self, slot: int) -> str:
+    def path_state(self, neighbour: int) -> PathState:
         """Always direct."""
-        return "direct"
+        return PathState.DIRECT
+
+
+@final
+class Steps:
+    """What a copy tells of its steps, handed on to who records it.
+
+    Attributes:
+        last: the report of the newest; None before the first.
+    """
+
+    def __init__(self, recorder: StepRecorder | None) -> None:
+        self.last: StepReport | None = None
+        self._recorder = recorder
+
+    @property
+    def begun(self) -> bool:
+        return self._recorder is not None and self._recorder.begun
+
+    @property
+    def failure(self) -> str | None:
+        return None if self._recorder is None else self._recorder.failure
+
+    def setup(self, copy: Replica, now: float) -> None:
+        if self._recorder is not None:
+            self._recorder.setup(copy, now)
+
+    def step(self, copy: Replica, report: StepReport, now: float, T: float) -> None:
+        self.last = report
+        if self._recorder is not None:
+            self._recorder.step(copy, report, now, T)
+
+    def event(self, kind: str, time: float, **fields: object) -> None:
+        if self._recorder is not None:
+            self._recorder.event(kind, time, **fields)
 
 
 class Person:
-    """A member, and what of it the world moves."""
+    """A member, and what of it the world moves.
+
+    Attributes:
+        carrier: what carries its samples.
+        paths: to the others.
+        hand: what moves its copy; None before there is one.
+        device: what it says of its device.
+        steps: of its copy.
+    """
 
     def __init__(
         self, world: "World", name: str, *, moves: bool, offset: float, identity: Identity | None = None
@@ -105,6 +150,10 @@ class Person:
         self.impaired = None
         if world.session.options.emulate or world.mailboxes is not None:
             carrier = self.impaired = ImpairedTransport(self.samples, {}, clock=lambda: world.now, seed=world.count)
+        self.carrier = carrier
+        self.paths = MemoryPaths(carrier, world.directory, path=lambda other: world.path(address, other))
+        self.hand: Hand | None = None
+        self.device: Callable[[], str] = str
         self.session_recorder = None
         if world.folder is not None:
             path = world.folder / f"{name} {world.count}.mcap"
@@ -115,18 +164,22 @@ class Person:
             self.telemetry = TelemetryPublisher(
                 world.mailboxes, name, world.session, world.replica, unsafe=world.unsafe, recorder=self.session_recorder
             )
+        told: StepRecorder | None = self.session_recorder if self.telemetry is None else self.telemetry
+        self.steps = Steps(world.tape or told)
         self.member = Member(
             session=world.session,
             replica=world.replica,
             control=self.control,
-            paths=MemoryPaths(carrier, world.directory, path=lambda other: world.path(address, other)),
+            paths=self.paths,
+            transport=carrier,
             host=world.host_identity.public,
             name=name,
             version="test",
-            hand=self._hand if moves else lambda slot, model: NoHand(model),
+            hand=self._made_hand if moves else lambda slot, model: NoHand(model),
             entropy=made,
             secret=b"secret",
-            recorder=self.session_recorder if self.telemetry is None else self.telemetry,
+            recorder=self.steps,
+            device=self._device,
         )
         self.alive = True
         self.next = world.now
@@ -134,7 +187,14 @@ class Person:
         self.service = world.now
         self.stalled_until = 0.0
 
-    def _hand(self, slot: int, model: Model) -> Hand:
+    def _device(self) -> str:
+        return self.device()
+
+    def _made_hand(self, slot: int, model: Model) -> Hand:
+        self.hand = self._new_hand(slot, model)
+        return self.hand
+
+    def _new_hand(self, slot: int, model: Model) -> Hand:
         session, replica = self.world.session, self.world.replica
         if self.impaired is not None and session.options.emulate:
             for other, law in path_laws(session.scenario, slot).items():
@@ -194,8 +254,10 @@ class World:
         mailboxes: MailboxFolder | None = None,
         planner: Planner | None = None,
         unsafe: bool = True,
+        tape: StepRecorder | None = None,
     ) -> None:
         self.folder = folder
+        self.tape = tape  # is told of all members' steps, in place of their recordings
         self.unsafe = unsafe
         self.mailboxes = mailboxes
         self.recordings: list[Path] = []

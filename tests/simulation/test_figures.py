@@ -9,6 +9,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 
 from cotouch.drawing import drawn as rendered
 from cotouch.errors import OutputError, ScenarioError
@@ -137,7 +138,8 @@ def test_title_and_legend_do_not_overlap() -> None:
         axes = figure.axes[0]
         legend = axes.get_legend()
         assert legend is not None
-        assert not axes._left_title.get_window_extent(renderer).overlaps(legend.get_window_extent(renderer)), users
+        (title,) = (text for text in axes.findobj(Text) if text.get_text() == axes.get_title(loc="left"))
+        assert not title.get_window_extent(renderer).overlaps(legend.get_window_extent(renderer)), users
 
 
 def test_several_nodes_and_axes_show_the_node_held_most() -> None:

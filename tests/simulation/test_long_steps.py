@@ -8,8 +8,12 @@ import meshio
 import numpy as np
 import pytest
 from tests.mechanics.materials import SHAPE, SPACING, boxes
+from tests.simulation.stepped import Stepped
 
-from cotouch.simulation import simulate
+from cotouch.mechanics import CLOSURE_ALARM
+from cotouch.peer import Peer, StepReport
+from cotouch.scenario import Scenario
+from cotouch.simulation import prepare, simulate
 
 ALONE = {"users": ["Ann"], "spring": [[0]], "delay": [[0]]}
 SIDES = (np.array(SHAPE) - 1) * SPACING
@@ -69,7 +73,7 @@ def grasp(rng: np.random.Generator, T: float, k: float, top: float) -> dict[str,
     return led(T, k, lambda s: size * np.sin(rate * s), **holds)
 
 
-def play(bodies: list[dict[str, Any]], kinds: list[Any], T: float, seed: int) -> Any:
+def scene(bodies: list[dict[str, Any]], kinds: list[Any], T: float, seed: int) -> dict[str, Any]:
     """One body, or two on each other on a plane, and what is done to them."""
     rng = np.random.default_rng(seed)
     k, two = float(10.0 ** rng.uniform(2.5, 3.8)), len(bodies) == 2
@@ -81,7 +85,20 @@ def play(bodies: list[dict[str, Any]], kinds: list[Any], T: float, seed: int) ->
         given |= {"between": {"stiffness": 1e7, "friction": 0.3}}
         given["world"]["planes"] = [PLANE]
     given["tools"] = [kind(rng, T, k, SIDES[2] + above) for kind in kinds]
-    return simulate({**given, "network": ALONE, "steps": {"duration": STEPS * T, "period": T}})
+    return {**given, "network": ALONE, "steps": {"duration": STEPS * T, "period": T}}
+
+
+def stepped(tables: dict[str, Any]) -> list[tuple[StepReport, dict[str, Any]]]:
+    """Of every step what it booked, and the proxy after it; by a peer: the engine would compile for this alone."""
+    seen: list[tuple[StepReport, dict[str, Any]]] = []
+
+    def look(peer: Peer, report: StepReport, now: float, T: float) -> None:
+        assert peer.tools is not None
+        proxy = {name: field[0].copy() for name, field in peer.tools._asdict().items()}
+        seen.append((report, proxy))
+
+    Stepped(prepare(Scenario.make(**tables))).run(look)
+    return seen
 
 
 @pytest.mark.parametrize(
@@ -107,7 +124,7 @@ def play(bodies: list[dict[str, Any]], kinds: list[Any], T: float, seed: int) ->
 def test_the_balance_is_exact(solid: dict[str, Any], bodies: str, kinds: list[Any], T: float, seed: int) -> None:
     """What went astray, by 1e12 N or to no number at all, is not closed by the rounding of that."""
     tables = {"solid": solid, "cells": CELLS, "die": DIE}
-    run = play([tables[name] for name in bodies.split()], kinds, T, seed)
+    run = simulate(scene([tables[name] for name in bodies.split()], kinds, T, seed))
     assert run.attrs["energy_residual"] <= 1e-12
     assert np.isfinite(run["kinetic"].values).all()
     assert run["touching"].values.max() > 0.0
@@ -132,7 +149,7 @@ def test_what_holds_a_tool_back_is_told(solid: dict[str, Any], soft: str, T: flo
         "damping": 1.0,
         "hand": {"stiffness": 450.0, "damping": 1.2, "path": path},
     }
-    run = simulate(
+    seen = stepped(
         {
             "network": ALONE,
             "body": solid | {"young": 3e3, "rayleigh_stiffness": 1e-3}
@@ -143,15 +160,18 @@ def test_what_holds_a_tool_back_is_told(solid: dict[str, Any], soft: str, T: flo
             "steps": {"duration": 0.6, "period": T},
         }
     )
-    place, rate = run["tool_position"].values[0], run["tool_velocity"].values[0]
+    fields = "place", "rate", "touch_force", "drive_force"
+    place, rate, touch, drive = (np.array([proxy[name][:3] for _, proxy in seen]) for name in fields)
     turned = 2.0 * mass / T * (np.diff(place, axis=0) / T - rate[:-1])
-    pushed = run["touch_force"].values[0, 1:] + run["drive_force"].values[0, 1:]
+    pushed = touch[1:] + drive[1:]
     assert np.abs(turned - pushed).max() < 1e-10
     assert np.abs(turned).max() > 1.0
 
 
 def test_a_body_that_no_tool_touches_and_that_goes_less_far_is_told_of() -> None:
     """In the first step, in which nothing touches anything yet."""
-    run = play([DIE, CELLS], [ball], 0.04, 4)
-    assert run["touching"].values[0, 1] == 0.0
-    assert run["closure_alarms"].values[0, 1:3].tolist() == [1.0, 1.0]
+    (first, proxy), (second, _), *_ = stepped(scene([DIE, CELLS], [ball], 0.04, 4))
+    assert proxy["touching"] == 0
+    assert first.shortened > 0.0
+    assert second.shortened == 0.0
+    assert second.closure_factor <= CLOSURE_ALARM

@@ -7,6 +7,7 @@ import pytest
 from tests.laws.scenes import AS_LAW
 
 from cotouch.errors import CotouchError
+from cotouch.mechanics import CLOSURE_ALARM
 from cotouch.scenario import Scenario
 from cotouch.simulation import prepare, run_batch, run_peers, simulate
 
@@ -42,6 +43,19 @@ def test_both_engines_move_a_material_alike_and_balance_it() -> None:
         assert sum(report.closure for report in reports) == pytest.approx(outcome.record.running[user, -3])
     assert np.abs(outcome.record.ticks[4]).max() <= 1e-12 * outcome.record.ticks[:4].max()
     assert np.abs(outcome.position).max() > 5e-3
+
+
+def test_both_engines_count_the_steps_that_were_closed_by_much() -> None:
+    yanked = PULL | {"path": [[0.0, 0.0, 0.0, 0.0], [0.1, 0.3, 0.0, 0.3]], "stiffness": 5000.0}
+    tables = {"body": HELD, "network": PAIR, "steps": {"duration": 0.4, "period": 0.04}, "hands": [yanked]}
+    run, peers = simulate(tables), run_peers(prepare(Scenario.make(**tables)))
+    only_shortened = peers.reports[0][1]
+    assert only_shortened.shortened > 0.0
+    assert only_shortened.closure_factor <= CLOSURE_ALARM
+    for user, reports in enumerate(peers.reports):
+        much = [report.closure_factor > CLOSURE_ALARM or report.shortened > 0.0 for report in reports]
+        assert np.array_equal(run["closure_alarms"].values[user, 1:], np.cumsum(much))
+        assert 0 < np.count_nonzero(much) < len(much)
 
 
 def test_a_run_says_what_its_closure_did() -> None:

@@ -69,10 +69,11 @@ def test_a_device_leads_its_handle_and_feels_what_presses_and_the_hand_turns_it(
     hand = {"path": path, "stiffness": 500, "damping": 5, "turning_stiffness": 1.0}
     free = {**BAR, "user": 2, "at": [0, 0, 0.2]}
     led = {**BAR, "at": [0, 0, 0.0605], "handle": [0, 0, 0.005], "hand": hand, "device": {"preset": "omega"}}
+    waits = {"user": 2, "at": [0, 0, 0.4], "radius": 0.01, "hand": {"path": [0, 0, 0], "stiffness": 300, "damping": 5}}
     ready = prepare(
         scene(
             {},
-            tools=[free, led],
+            tools=[free, led, waits],  # the ball, as other tests have one: else the engine would be another
             between={"friction": 0.8, "damping": 20.0},
             world={"gravity": [0, 0, -9.81], "planes": [{"friction": 0.1, "damping": 20.0}]},
             steps={"duration": 0.4},

@@ -72,7 +72,7 @@ class Two:
         nat = self.nats[user]
         found = [Candidate(CandidateKind.LOCAL, self.sockets[user].address)]
         if nat is not None:
-            port = PORT + nat._shift if nat.kept else 40_000
+            port = PORT + nat.shift if nat.kept else 40_000
             found.append(Candidate(CandidateKind.REFLEXIVE, Address(nat.host, port)))
         return found
 
@@ -316,9 +316,11 @@ def test_addresses_that_were_learnt_are_few():
     prober.rekey(first)
     for k, ping in enumerate(pings(second, 1000)):
         prober.receive(0.001 * k, ping, Address("192.0.2.1", 1000 + k))
-    assert len(prober._learnt) == 4
     asked = [probe for k in range(1000) for probe in prober.due(1.0 + 0.001 * k, active=True)]
     assert len(asked) == 1
+    prober.offer([Candidate(CandidateKind.LOCAL, AT)])  # a round over all addresses
+    asked = [probe for k in range(1000) for probe in prober.due(2.0 + 0.01 * k, active=True)]
+    assert {probe.to for probe in asked} == {AT, *(Address("192.0.2.1", port) for port in range(1996, 2000))}
 
 
 def test_addresses_that_change_without_end_do_not_hasten_pings_either():

@@ -9,7 +9,7 @@ from tests.live.internet import Exchange, Internet, MemoryControl, Nat, VirtualS
 from tests.live.support import agree, agreements, entropy, identities, layout, state_of
 from tests.traversal.shown import asking
 
-from cotouch.control import Relayed, SignedMessage
+from cotouch.control import SignedMessage
 from cotouch.errors import SessionError, TransportError
 from cotouch.peer import Sample
 from cotouch.samples import MOST_BYTES, Address, Arrival, Assembly, SampleLink, SamplePlane, UdpTransport, plain_address
@@ -301,9 +301,10 @@ def test_over_real_sockets(hosts: tuple[str, str]):
     except TransportError as error:
         pytest.skip(f"no such address here: {error}")
     at = Address(hosts[0], sockets[1].address.port)
+    controls = [exchange.join(member) for member in members]
     transports = [
         RoutedTransport(
-            sockets[user], exchange.join(members[user]), session=b"", secret=b"", entropy=entropy(user),
+            sockets[user], controls[user], session=b"", secret=b"", entropy=entropy(user),
             mirrors=[at] if user == 0 else [], interfaces=lambda: ["127.0.0.1"],
         )
         for user in range(2)
@@ -314,7 +315,7 @@ def test_over_real_sockets(hosts: tuple[str, str]):
     for k in range(1000):
         time.sleep(0.002)
         for user, transport in enumerate(transports):
-            for message in transport._control.poll():
+            for message in controls[user].poll():
                 transport.take(message)
             arrived = transport.poll()
             got += [arrival for arrival in arrived if arrival.payload == b"direct"]
@@ -396,8 +397,9 @@ def test_times_by_both_ways_are_in_order(alone):
     net.now = 1.2
     sender.reach(socket.address, b"third")
     net.now = 1.3
-    transport._control._relayed.append(Relayed(b"from the future", other.identity.public, 9.0))
-    transport._control._relayed.append(Relayed(b"from the past", other.identity.public, -9.0))
+    for text, then in ((b"from the future", 9.0), (b"from the past", -9.0)):
+        exchange.clock = lambda then=then: then
+        other.relay(identities(1)[0].public, text)
     arrived = transport.poll()
     assert [arrival.payload for arrival in arrived] == [
         b"from the past",
@@ -465,9 +467,6 @@ def test_where_this_member_may_be_reached_is_looked_up_when_it_listens_everywher
     lambda alone: alone[2].introduce(1, b"short"),
     lambda alone: alone[2].introduce(1, identities(1)[0].public),
     lambda alone: alone[2].look([("example.org", 7000)]),
-    lambda alone: RoutedTransport(
-        alone[3], alone[2]._control, session=b"", secret=b"", entropy=entropy(1), relay_rate=0.0
-    ),
 ])  # fmt: skip
 def test_what_cannot_be_is_refused(alone, make):
     with pytest.raises(SessionError):

@@ -180,11 +180,19 @@ class FakeSessionApi:
         done: what was asked for by `do`.
         choices: sets of links by name.
         ended: whether it says that the session is over.
+        recording_since: when the recording began; None: there is none [s].
     """
 
-    def __init__(self, kind: Kind = "3d", *, clock: Callable[[], float] = time.monotonic, age: float = 0.0) -> None:
+    def __init__(
+        self,
+        kind: Kind = "3d",
+        *,
+        clock: Callable[[], float] = time.monotonic,
+        age: float = 0.0,
+        stands: Mapping[str, object] | None = None,
+    ) -> None:
         body = made_body(kind)
-        self._scene = Scene(
+        scene = Scene(
             title="Five users, one object (made-up motion)",
             users=NAMES,
             body=body,
@@ -192,6 +200,7 @@ class FakeSessionApi:
             may=MAY,
             invitation="cotouch1:a-made-up-invitation-that-nobody-can-use",
         )
+        self._scene = replace(scene, **(stands or {}))
         self.clock, self.age = clock, age  # age: how old the newest views are said to be [s]
         self.pointers: list[tuple[int, Pointer]] = []
         self.done: list[Command] = []
@@ -215,7 +224,7 @@ class FakeSessionApi:
         self._alive = dict.fromkeys(range(5), True)
         self.choices: dict[str, list[Pair]] = {"best": list(BEST), "worst": list(WORST), "start": list(BEST)}
         self._damping, self._wobble = 1.0, 0.0
-        self._recording: float | None = None
+        self.recording_since: float | None = None
         self.recording_state = RecordingState()
         self.files: tuple[Path, ...] = ()
         self.away = set[int]()  # slots of copies that are farther away than samples can tell
@@ -261,12 +270,12 @@ class FakeSessionApi:
                 links=[pair for pair in sorted(self._links) if set(pair) <= set(here)],
             )
             recording = self.recording_state
-            if self._recording is not None:
-                recording = recording._replace(seconds=self._now - self._recording)
+            if self.recording_since is not None:
+                recording = recording._replace(seconds=self._now - self.recording_since)
             return Overview(
                 time=self.clock() - self.loop_age,
                 roster=roster,
-                statuses={slot: self._status(slot, roster) for slot in range(5)},
+                statuses={slot: self.status(slot, roster) for slot in range(5)},
                 alive={slot: alive for slot, alive in self._alive.items() if slot not in self.elsewhere},
                 emulated=dict(self._emulated),
                 choices=dict(self.choices),
@@ -349,7 +358,7 @@ class FakeSessionApi:
     def _record(self, on: bool) -> str:
         number = self.recording_state.number
         if on:
-            self._recording = self._now
+            self.recording_since = self._now
             self.recording_state = RecordingState(state="on", number=number + 1)
             return "recording"
         folder = Path(tempfile.mkdtemp(prefix="cotouch-"))
@@ -357,8 +366,8 @@ class FakeSessionApi:
         for name in NAMES:
             (folder / f"{name}.mcap").write_bytes(b"\x89MCAP0\r\n made up\r\n")
         self.files = tuple(sorted(folder.glob("*.mcap")))
-        seconds = self._now - (self._recording or self._now)
-        self._recording = None
+        seconds = self._now - (self.recording_since or self._now)
+        self.recording_since = None
         named = tuple((path.name, path.stat().st_size) for path in self.files)
         text = f"{len(named)} files of {seconds:.1f} s"
         self.recording_state = RecordingState(state="done", number=number, seconds=seconds, text=text, files=named)
@@ -449,7 +458,7 @@ class FakeSessionApi:
             received=self._received[slot],
         )
 
-    def _status(self, slot: int, roster: Roster) -> Status:
+    def status(self, slot: int, roster: Roster) -> Status:
         handle = self._handles[slot]
         links: list[LinkStatus] = []
         for other in roster.neighbours(slot) if self._alive[slot] else []:
@@ -460,7 +469,7 @@ class FakeSessionApi:
                     slot=other,
                     state="guarded" if path_state.cut else "coupled",
                     age=path_state.delay + 0.002,
-                    ages=both,
+                    age_sum=both,
                     budget=1.1 * both + 0.02,
                     round_trip=both,
                     loss=1.0 if path_state.cut else path_state.loss,
@@ -477,8 +486,8 @@ class FakeSessionApi:
             time=self._now - self._start,
             steps=round((self._now - self._start) / STEP),
             rate=500.0,
-            period=0.002,
-            longest=0.0031,
+            nominal_period=0.002,
+            longest_period=0.0031,
             missed=3,
             busy=0.12,
             force=float(np.linalg.norm(handle.force)),
@@ -493,7 +502,7 @@ class FakeSessionApi:
             drag=2.0,
             braked=0.022,
             moved=0.01,
-            certificate=1.12 * self._damping - 1.0,
+            damping_margin=1.12 * self._damping - 1.0,
             links=links,
             unsent=slot in self.away,
             round_trips=[(j, DELAYS[slot][j] + DELAYS[j][slot]) for j in range(5) if j != slot],

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
-from dataclasses import replace
 from typing import Any
 from urllib.parse import urlsplit
 
@@ -37,8 +36,7 @@ class Shown:
 
     def made(self, *, still: bool = True) -> FakeSessionApi:
         """A stage; still: no hand holds anything."""
-        api = FakeSessionApi(self.kind)
-        api._scene = replace(api.scene, **self.stands)
+        api = FakeSessionApi(self.kind, stands=self.stands)
         for slot in range(5) if still else ():
             api.do(MoveHand(slot=slot, mode="free"))
         return api

@@ -1,11 +1,13 @@
 """What a page holds ends with it: control, what its pointer holds, damping that it lowered. On a clock of its own."""
 
 import asyncio
+import json
 from collections.abc import Awaitable, Callable
+from typing import Any
 
 import pytest
 from tests.web.fake_session_api import FakeSessionApi, Kind
-from tests.web.inside import MOST_PAGES, VERSION, Access, Do, Hub, Page, PointerMessage, held_tools
+from tests.web.inside import MOST_PAGES, VERSION, Access, Do, Hub, Page, PointerMessage, held_tools, read_binary
 from tests.web.reader import pointer
 
 from cotouch.errors import PageError
@@ -15,17 +17,37 @@ GRAB, FREE, POSE = 1, 2, 4
 LONG, SHORT = 3.1, 0.2  # a page that is silent for so long hangs, or not [s]
 
 
+class Told:
+    """Stands for a page's socket, and keeps what the page was told last of how things are."""
+
+    def __init__(self) -> None:
+        self.state: dict[str, Any] = {}
+
+    async def send_text(self, text: str) -> None:
+        message = json.loads(text)
+        if message["type"] == "state":
+            self.state = message
+
+    async def send_bytes(self, frame: bytes) -> None:
+        """No frame is looked at here."""
+
+
 class Room:
-    """A hub whose pages have no sockets; what they are told lies where nobody fetches it."""
+    """A hub whose pages have no sockets."""
 
     def __init__(self, kind: Kind = "1d") -> None:
         self.now = 0.0
         self.api = FakeSessionApi(kind, clock=lambda: self.now)
         self.hub = Hub(self.api, Access(listen="127.0.0.1", token="a token"), clock=lambda: self.now)
         self.number = 0
+        self.told: dict[Page, Told] = {}
+        self._sending: list[asyncio.Task[None]] = []
 
     def come(self, slot: int = 0) -> Page:
-        page = Page(None)  # pyright: ignore[reportArgumentType]
+        told: Any = Told()
+        page = Page(told)
+        self.told[page] = told
+        self._sending.append(asyncio.create_task(page.send_all()))
         assert self.hub.enter(page)
         self.hub.received(page)
         token = self.hub.access.token
@@ -48,12 +70,18 @@ class Room:
             self.now += 0.1
             for page in talking:
                 self.hub.received(page)
-            self.hub._show_state()
+            self.tell()
+
+    def tell(self) -> None:
+        """Somebody comes who only watches, and goes: all are told how things are."""
+        self.hub.leave(self.watch())
 
     def point(self, page: Page, action: int, point: int = 0) -> None:
         self.number += 1
         self.hub.received(page)
-        self.hub.pointed(page, PointerMessage(pointer(self.number, slot=page.slot or 0, action=action, point=point)))
+        message = read_binary(pointer(self.number, slot=page.slot or 0, action=action, point=point))
+        assert isinstance(message, PointerMessage)
+        self.hub.pointed(page, message)
 
     def held(self) -> bool:
         """Whether a pointer holds the body now, as the stage was told last."""
@@ -62,7 +90,12 @@ class Room:
     async def ask(self, page: Page, what: str, **arguments: object) -> None:
         self.hub.received(page)
         self.hub.asked(page, Do(type="do", id=1, what=what, parts=arguments))
-        await asyncio.gather(*self.hub._tasks)
+        await self.answered(page)
+
+    async def answered(self, page: Page) -> None:
+        """Waits until all is done that a page asked for."""
+        while page.answering:
+            await asyncio.sleep(0.001)
 
     async def lower(self, page: Page, fraction: float = 0.5) -> None:
         await self.ask(page, "damping", fraction=fraction)
@@ -72,8 +105,16 @@ class Room:
     def damping(self) -> float:
         return self.api.overview().damping
 
-    def control(self, page: Page) -> str:
-        return self.hub._control.of(page)
+    async def control(self, page: Page) -> str:
+        """Who has control of the page's slot, as it is told itself."""
+        self.tell()
+        await page.idle.wait()
+        return self.told[page].state["control"]
+
+    def close(self) -> None:
+        for sending in self._sending:
+            sending.cancel()
+        self.hub.close()
 
 
 def play(story: Callable[[Room], Awaitable[None]], kind: Kind = "1d") -> None:
@@ -82,9 +123,7 @@ def play(story: Callable[[Room], Awaitable[None]], kind: Kind = "1d") -> None:
         try:
             await story(room)
         finally:
-            for page in list(room.hub._pages):
-                room.hub.leave(page)
-            room.hub.close()
+            room.close()
 
     asyncio.run(run())
 
@@ -140,7 +179,7 @@ def test_damping_that_is_lowered_for_a_page_that_left_meanwhile_comes_back() -> 
         room.come(1)
         room.hub.asked(ann, Do(type="do", id=1, what="damping", parts={"fraction": 0.5}))
         room.hub.leave(ann)
-        await asyncio.gather(*room.hub._tasks)
+        await room.answered(ann)
         assert room.damping == 1.0
 
     play(story)
@@ -163,21 +202,21 @@ def test_damping_comes_back_when_another_takes_control_and_when_the_hub_closes()
 def test_control_goes_to_who_waits_when_a_page_ends_or_hangs() -> None:
     async def story(room: Room) -> None:
         ann, other, third = room.come(), room.come(), room.come()
-        assert [room.control(page) for page in (ann, other, third)] == ["mine", "other", "other"]
+        assert [await room.control(page) for page in (ann, other, third)] == ["mine", "other", "other"]
         room.point(ann, GRAB)
         assert room.held()
         room.hub.leave(ann)
         assert not room.held()
-        assert [room.control(page) for page in (other, third)] == ["mine", "other"]
+        assert [await room.control(page) for page in (other, third)] == ["mine", "other"]
         room.point(other, GRAB)
         room.wait(SHORT, third)
-        assert room.control(other) == "mine"
+        assert await room.control(other) == "mine"
         room.wait(LONG, third)
         assert not room.held()
-        assert [room.control(page) for page in (other, third)] == ["other", "mine"]
+        assert [await room.control(page) for page in (other, third)] == ["other", "mine"]
         room.wait(SHORT, other, third)  # it talks again: it waits, and has control when it is free
         room.hub.leave(third)
-        assert room.control(other) == "mine"
+        assert await room.control(other) == "mine"
         room.point(other, GRAB)
         assert room.held()
 
@@ -188,8 +227,9 @@ def test_a_rigid_tool_is_led_for_its_user_alone() -> None:
     async def story(room: Room) -> None:
         (first, last, slot, number) = held_tools(room.api.scene.body)[0]
         assert (slot, number) == (0, 0)
-        assert last == room.hub._control.points
         ann, ben = room.come(0), room.come(1)
+        with pytest.raises(PageError, match=f"there are 0 to {last - 1}"):
+            room.point(ann, POSE, last)
         room.point(ben, POSE, first)
         room.point(ann, POSE, first - 1)  # of the die
         assert not room.api.pointers
@@ -206,16 +246,16 @@ def test_a_page_that_hung_alone_has_control_again_when_it_talks() -> None:
         ann = room.come()
         room.point(ann, GRAB)
         room.wait(LONG)
-        assert room.control(ann) == "none"
+        assert await room.control(ann) == "none"
         assert not room.held()
         room.point(ann, GRAB)
-        assert room.control(ann) == "mine"
+        assert await room.control(ann) == "mine"
         assert room.held()
         room.point(ann, FREE)
         assert not room.held()
         room.point(ann, GRAB)
         room.wait(LONG)  # and it may hang once more
-        assert room.control(ann) == "none"
+        assert await room.control(ann) == "none"
         assert not room.held()
 
     play(story)
@@ -227,20 +267,34 @@ def test_a_page_that_acts_for_another_slot_lets_go_of_the_one_before() -> None:
         room.point(ann, GRAB)
         room.hub.hello(ann, Hello(type="hello", version=VERSION, token=room.hub.access.token, slot=2))
         assert not room.held()
-        assert room.control(room.come(0)) == "mine"
-        assert room.control(ann) == "mine"
+        assert await room.control(room.come(0)) == "mine"
+        assert await room.control(ann) == "mine"
 
     play(story)
 
 
 def test_one_page_that_is_left_is_sent_states_and_none_costs_nothing() -> None:
     async def story(room: Room) -> None:
+        loop = asyncio.get_running_loop()
+        later, timers = loop.call_later, list[asyncio.TimerHandle]()
+
+        def call_later(*what: Any, **more: Any) -> asyncio.TimerHandle:
+            timers.append(later(*what, **more))
+            return timers[-1]
+
+        loop.call_later = call_later
         ann, ben = room.come(0), room.come(1)
         room.hub.leave(ann)
-        assert room.hub._state_timer is not None
+        assert not all(timer.cancelled() for timer in timers)
+        await ben.idle.wait()
+        told = room.told[ben]
+        told.state = {}
+        async with asyncio.timeout(30.0):
+            while not told.state:  # without anybody's doing
+                await asyncio.sleep(0.01)
+        timers[:] = [timer for timer in timers if timer.when() > loop.time()]
         room.hub.leave(ben)
-        assert room.hub._state_timer is None
-        assert room.hub._timer is None
+        assert all(timer.cancelled() for timer in timers)
 
     play(story)
 
@@ -252,12 +306,12 @@ def test_who_waited_and_left_gets_nothing_and_who_takes_over_finds_nothing_held(
         room.point(ann, GRAB)
         await room.ask(third, "control")
         assert not room.held()
-        assert [room.control(page) for page in (ann, third)] == ["other", "mine"]
+        assert [await room.control(page) for page in (ann, third)] == ["other", "mine"]
         room.hub.leave(third)
-        assert room.control(ann) == "mine"
+        assert await room.control(ann) == "mine"
         room.hub.leave(ann)
         last = room.come()
-        assert room.control(last) == "mine"
+        assert await room.control(last) == "mine"
         room.point(last, GRAB)
         room.hub.close()
         assert not room.held()
@@ -270,7 +324,7 @@ def test_a_page_that_waits_and_leaves_is_not_next() -> None:
         ann, other, third = room.come(), room.come(), room.come()
         room.hub.leave(other)
         room.hub.leave(ann)
-        assert room.control(third) == "mine"
+        assert await room.control(third) == "mine"
 
     play(story)
 

@@ -57,11 +57,12 @@ def test_a_pointer_is_what_was_sent_or_refused(number, slot, action, point, targ
         return
     read = read_binary(data)
     assert isinstance(read, PointerMessage)
-    assert (read.number, read.slot, read.point) == (number, slot, point)
-    assert read.mode == ("ball", "grab", "free", "blade", "pose")[action]
-    assert (read.target, read.radius, read.stiffness, read.sent) == (target, radius, stiffness, sent)
+    said = read.pointer
+    assert (said.number, read.slot, read.point) == (number, slot, point)
+    assert said.mode == ("ball", "grab", "free", "blade", "pose")[action]
+    assert (said.target, said.radius, said.stiffness) == (target, radius, stiffness)
     none = (0.0, 0.0, 0.0)
-    assert (read.edge, read.turn) == ((none, vector) if turns else (vector, none))
+    assert (said.edge, said.turn) == ((none, vector) if turns else (vector, none))
 
 
 @settings(max_examples=examples(200))

@@ -144,7 +144,7 @@ def test_links_are_switched_and_drawn(here: World) -> None:
     assert page.locator(".pair").count() == 0
 
 
-def test_an_invitation_is_shown_and_a_place_freed(here: World) -> None:
+def test_an_invitation_is_shown_and_a_slot_freed(here: World) -> None:
     page = here.open()
     page.click("#invite")
     # The invitation is in no command, which every user of a machine could read.
@@ -153,8 +153,8 @@ def test_an_invitation_is_shown_and_a_place_freed(here: World) -> None:
     # Nobody else reaches this page, so there is nothing to scan.
     assert page.is_hidden(".qr")
     words(page, "dialog", "--page-listen")
-    page.click("text=Free this place")
-    words(page, "dialog", "The place of Eve is free")
+    page.click("text=Free this slot")
+    words(page, "dialog", "The slot of Eve is free")
     assert here.did("expel") == [{"slot": 4}]
     page.keyboard.press("Escape")
     assert page.evaluate("() => document.activeElement.id") == "invite"

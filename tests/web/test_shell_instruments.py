@@ -93,13 +93,13 @@ def test_what_is_plotted_and_saved_is_the_same_on_every_page(running: Browser) -
         here.complaints.clear()  # FLAT has no WebGL, which the picture in space says
 
 
-def test_late_steps_are_a_share_of_those_that_were_due(here: World, monkeypatch: pytest.MonkeyPatch) -> None:
-    status = here.api._status
+def test_missed_steps_are_a_share_of_those_that_were_due(here: World, monkeypatch: pytest.MonkeyPatch) -> None:
+    status = here.api.status
     monkeypatch.setattr(
-        here.api, "_status", lambda slot, roster: status(slot, roster).model_copy(update={"steps": 100, "missed": 300})
+        here.api, "status", lambda slot, roster: status(slot, roster).model_copy(update={"steps": 100, "missed": 300})
     )
     page = here.open()
-    words(page, '.user[data-slot="0"] .metric', "^late75\u202f%$")
+    words(page, '.user[data-slot="0"] .metric', "^missed75\u202f%$")
 
 
 def joules(words_: str) -> float:

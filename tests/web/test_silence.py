@@ -213,7 +213,7 @@ class TestRecordings:
         words(page, "#banner-recording", "The recording is incomplete: Ann's ends after 3 of 9 steps")
         assert page.get_attribute("#record", "data-wrong") == ""
         assert "incomplete" in (page.get_attribute("#record", "aria-label") or "")
-        here.api._recording = None
+        here.api.recording_since = None
         here.api.recording_state = RecordingState(
             state="failed", number=1, text="nothing was recorded", troubles=(trouble, "no user left a file")
         )
@@ -251,7 +251,7 @@ class TestRecordings:
 
     def test_a_members_own_recording_that_stops_is_said(self, here: World, monkeypatch: pytest.MonkeyPatch) -> None:
         page = here.open()
-        status = here.api._status
+        status = here.api.status
 
         def failed(slot: int, roster: object) -> Status:
             commanded = status(slot, roster)  # type: ignore[arg-type]
@@ -259,7 +259,7 @@ class TestRecordings:
                 return commanded
             return commanded.model_copy(update={"recording": "failed", "recording_failure": "No space left on device"})
 
-        monkeypatch.setattr(here.api, "_status", failed)
+        monkeypatch.setattr(here.api, "status", failed)
         words(page, "#banner-recording", "The recording of Cleo stopped: No space left on device")
 
     def test_one_that_comes_late_is_offered_all_the_same(self) -> None:

@@ -14,11 +14,11 @@ NAMES = FakeSessionApi("1d").overview()
 
 
 def link(slot: int, **entries: Any) -> LinkStatus:
-    return LinkStatus(**({"slot": slot, "state": "coupled", "ages": 0.08, "budget": 0.1} | entries))
+    return LinkStatus(**({"slot": slot, "state": "coupled", "age_sum": 0.08, "budget": 0.1} | entries))
 
 
 def status(slot: int, *links: LinkStatus, **entries: Any) -> Status:
-    usual = {"slot": slot, "steps": 9, "supplied": 1.0, "certificate": 0.0, "residual": 1e-16, "links": list(links)}
+    usual = {"slot": slot, "steps": 9, "supplied": 1.0, "damping_margin": 0.0, "residual": 1e-16, "links": list(links)}
     return Status(**(usual | entries))
 
 
@@ -26,7 +26,7 @@ def seen(*statuses: Status, **entries: Any) -> Overview:
     return replace(NAMES, **({"statuses": {s.slot: s for s in statuses}, "damping": 1.0, "ended": False} | entries))
 
 
-CALM = (status(1, link(3, ages=0.088)), status(3, link(1, ages=0.04), link(2, ages=0.05)), status(2, link(3)))
+CALM = (status(1, link(3, age_sum=0.088)), status(3, link(1, age_sum=0.04), link(2, age_sum=0.05)), status(2, link(3)))
 
 
 @pytest.mark.parametrize(
@@ -38,18 +38,18 @@ CALM = (status(1, link(3, ages=0.088)), status(3, link(1, ages=0.04), link(2, ag
         (seen(), "warn", "no copy is moving"),
         (seen(status(0, steps=0)), "warn", "no copy is moving"),
         (seen(*CALM, ended=True), "warn", "over"),
-        (seen(status(0, link(1, ages=0.098))), "warn", "safe: 2 % to spare on link 1–2"),
-        (seen(status(0, link(1, ages=0.09999))), "warn", "safe: 1 % to spare"),
-        (seen(status(0, link(1, ages=0.11))), "warn", "safe: link 1–2 is late and may pause"),
-        (seen(*CALM, status(0, link(4, state="guarded", ages=0.3))), "warn", "safe: link 1–5 paused, network slow"),
+        (seen(status(0, link(1, age_sum=0.098))), "warn", "safe: 2 % to spare on link 1–2"),
+        (seen(status(0, link(1, age_sum=0.09999))), "warn", "safe: 1 % to spare"),
+        (seen(status(0, link(1, age_sum=0.11))), "warn", "safe: link 1–2 is late and may pause"),
+        (seen(*CALM, status(0, link(4, state="guarded", age_sum=0.3))), "warn", "safe: link 1–5 paused, network slow"),
         (
             seen(status(0, link(4, state="guarded")), status(4, link(0, state="guarded"))),
             "warn",
             "safe: link 1–5 paused",
         ),
         (seen(status(0, link(4, state="guarded"), link(1, state="guarded"))), "warn", "safe: 2 links paused"),
-        (seen(*CALM, status(0, link(4, state="keys", ages=None))), "warn", "2–4; link 1–5 is connecting"),
-        (seen(status(0, link(4, state="waiting", ages=None))), "warn", "safe: link 1–5 is connecting"),
+        (seen(*CALM, status(0, link(4, state="keys", age_sum=None))), "warn", "2–4; link 1–5 is connecting"),
+        (seen(status(0, link(4, state="waiting", age_sum=None))), "warn", "safe: link 1–5 is connecting"),
         (
             seen(status(0, link(1, law="paid"), link(4, law="paid", state="waiting", age=0.9))),
             "warn",
@@ -63,8 +63,8 @@ CALM = (status(1, link(3, ages=0.088)), status(3, link(1, ages=0.04), link(2, ag
         (seen(*CALM, damping=0.4), "bad", "not safe: damping lowered to 40 %"),
         (seen(*CALM, damping=0.9999), "bad", "lowered to 99 %"),
         (seen(*CALM, damping=0.003), "bad", "lowered to 0.3 %"),
-        (seen(*CALM, status(4, certificate=-0.25)), "bad", "not safe: Eve has 25 % less damping"),
-        (seen(*CALM, status(4, certificate=-1e-12)), "good", "safe"),
+        (seen(*CALM, status(4, damping_margin=-0.25)), "bad", "not safe: Eve has 25 % less damping"),
+        (seen(*CALM, status(4, damping_margin=-1e-12)), "good", "safe"),
         (seen(*CALM, status(4, alarms=1)), "bad", "ledger of Eve is off"),
         (seen(*CALM, status(4, steps=900, closure_alarms=9, closure_factor=0.03)), "good", "safe: 12 %"),
         (

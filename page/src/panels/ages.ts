@@ -36,7 +36,7 @@ export function agesChart(context: Context): HTMLElement {
     for (const pair of links) {
       const row = rows.get(keyOf(pair)) ?? new Float32Array(KEPT).fill(NaN);
       rows.set(keyOf(pair), row);
-      row[size] = worse(state, ...pair, "ages") ?? NaN;
+      row[size] = worse(state, ...pair, "age_sum") ?? NaN;
     }
     const pair = context.link.get();
     budget[size] = (pair && worse(state, ...pair, "budget")) ?? NaN;
@@ -56,7 +56,7 @@ export function agesChart(context: Context): HTMLElement {
       chart = null;
       if (links.length) {
         chart = new Chart(
-          "Ages, both ends",
+          "Age sum",
           "s",
           0.01,
           [

@@ -28,7 +28,7 @@ export function inviteDialog(context: Context): { open: () => void } {
   const scan = h("figcaption", null);
   const frame = h("figure", { class: "qr-frame" }, code, scan);
   const near = h("p", { class: "hint" }, "Only this computer can open this page. To open it on a phone with a QR code, start cotouch with --page-listen and this computer’s address.");
-  const free = button("Free this place", () => {
+  const free = button("Free this slot", () => {
     const slot = Number(slots.value);
     void context.act({ what: "expel", slot });
   }, { class: "button small danger", icon: "stop" });
@@ -68,10 +68,10 @@ export function inviteDialog(context: Context): { open: () => void } {
       text(scan, `opens this page on a phone, as ${nameOf(store, slot)}`);
     }
     text(note, elsewhere && taken
-      ? `${nameOf(store, slot)} is played on another computer. If you free the place, whoever plays there is removed for the rest of the session.`
+      ? `${nameOf(store, slot)} is played on another computer. If you free the slot, whoever plays there is removed for the rest of the session.`
       : taken
-      ? `${nameOf(store, slot)} is played by a process on this computer. Free the place first; whoever then joins with this name takes it over, and the object stays.`
-      : `The place of ${nameOf(store, slot)} is free.`);
+      ? `${nameOf(store, slot)} is played by a process on this computer. Free the slot first; whoever then joins with this name takes it over, and the object stays.`
+      : `The slot of ${nameOf(store, slot)} is free.`);
     shown(free, taken);
     free.disabled = !can(context, "expel");
   };

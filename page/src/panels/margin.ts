@@ -81,7 +81,7 @@ export function marginPanel(context: Context): HTMLElement {
     h(
       "table",
       { class: "numbers" },
-      h("thead", null, h("tr", null, ...["link", "ages", "budget", "to spare", ""].map((words) => h("th", { scope: "col" }, words)))),
+      h("thead", null, h("tr", null, ...["link", "age sum", "budget", "to spare", ""].map((words) => h("th", { scope: "col" }, words)))),
       links,
     ),
     agesChart(context),
@@ -96,7 +96,7 @@ export function marginPanel(context: Context): HTMLElement {
           null,
           h("th", { scope: "col" }, "user"),
           h("th", { scope: "col", "data-tip": "Largest damping coefficient of the copy", tabindex: 0 }, "damping"),
-          h("th", { scope: "col", "data-tip": "Damping beyond what the current budgets need", tabindex: 0 }, "surplus"),
+          h("th", { scope: "col", "data-tip": "Damping beyond what the current budgets need", tabindex: 0 }, "damping margin"),
         ),
       ),
       users,
@@ -135,7 +135,7 @@ export function marginPanel(context: Context): HTMLElement {
       const left = spare(state, ...pair);
       attribute(links.children[i] as Element, "data-condition", now);
       attribute(links.children[i] as Element, "data-chosen", samePair(pair, context.link.get()) ? "" : null);
-      text(cells[1] as Element, ms(worse(state, ...pair, "ages")));
+      text(cells[1] as Element, ms(worse(state, ...pair, "age_sum")));
       text(cells[2] as Element, ms(worse(state, ...pair, "budget")));
       const gauge = cells[3] as HTMLElement;
       gauge.style.setProperty("--share", `${Math.round(100 * Math.min(Math.max(1 - (left ?? 1), 0), 1))}%`);
@@ -164,7 +164,7 @@ export function marginPanel(context: Context): HTMLElement {
       const member = state.members[slot];
       if (!cells || !member) return;
       text(cells[1] as Element, member.steps ? `${number(member.damping, 2)}\u202fN·s/m` : NONE);
-      const above = member.certificate;
+      const above = member.damping_margin;
       text(cells[2] as Element, typeof above === "number" ? percent(above) : NONE);
       attribute(cells[2] as Element, "data-level", typeof above === "number" ? (above < 0 ? "bad" : "good") : null);
     });

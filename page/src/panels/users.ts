@@ -50,7 +50,7 @@ function card(context: Context, slot: number, leaving: Confirmation): { element:
   const mine = h("span", { class: "chip chip-mine", hidden: true }, "you");
   const hand = h("span", { class: "hand-mode" });
   const rate = metric("rate", "Steps per second");
-  const late = metric("late", "Share of all due steps that were skipped, since the start");
+  const skipped = metric("missed", "Share of all due steps that came too late and were skipped, since the start");
   const force = metric("force", "Force of the hand on its copy");
   const folded = `user-${slot}-more`;
   const head = h(
@@ -104,7 +104,7 @@ function card(context: Context, slot: number, leaving: Confirmation): { element:
   });
   const away = button("Remove …", () => {
     const name = nameOf(store, slot);
-    leaving.ask(`Remove ${name}?`, `${name} takes part from another computer. The place becomes free at once, and whoever is removed cannot come back for the rest of the session.`, () => void context.act({ what: "expel", slot }));
+    leaving.ask(`Remove ${name}?`, `${name} takes part from another computer. The slot becomes free at once, and whoever is removed cannot come back for the rest of the session.`, () => void context.act({ what: "expel", slot }));
   }, { class: "button small danger", icon: "stop", tip: "Remove whoever plays this user on another computer" });
   const revive = button("Restart process", () => void context.act({ what: "revive", slot }), { class: "button small", icon: "reset" });
   const actions: Child[] = [take, window_, kill, away, revive];
@@ -113,7 +113,7 @@ function card(context: Context, slot: number, leaving: Confirmation): { element:
     "li",
     { class: "user", "data-slot": slot },
     head,
-    h("dl", { class: "metrics" }, rate.element, late.element, force.element),
+    h("dl", { class: "metrics" }, rate.element, skipped.element, force.element),
     hand,
     more,
   );
@@ -130,8 +130,8 @@ function card(context: Context, slot: number, leaving: Confirmation): { element:
     text(rate.value, hertz(live?.rate));
     const missed = live?.missed ?? 0;
     const due = (live?.steps ?? 0) + missed;
-    text(late.value, due ? percent(missed / due) : NONE);
-    attribute(late.element, "data-tip", due ? `${count(missed)} of ${count(due)} due steps came too late and were skipped` : null);
+    text(skipped.value, due ? percent(missed / due) : NONE);
+    attribute(skipped.element, "data-tip", due ? `${count(missed)} of ${count(due)} due steps came too late and were skipped` : null);
     text(force.value, newtons(live?.force));
     text(hand, live ? (MODES[live.hand ?? "elsewhere"] ?? "") : "");
     orders.mark(live && own ? live.hand : null);

@@ -74,15 +74,15 @@ export function isCut(state: State, a: number, b: number): boolean {
 }
 
 /** The greater of what both ends say; null where neither does. */
-export function worse(state: State | null, a: number, b: number, kind: "age" | "ages" | "round_trip" | "loss" | "budget"): number | null {
+export function worse(state: State | null, a: number, b: number, kind: "age" | "age_sum" | "round_trip" | "loss" | "budget"): number | null {
   const all = [state?.ends[`${a}-${b}`]?.[kind], state?.ends[`${b}-${a}`]?.[kind]].filter((x): x is number => typeof x === "number");
   return all.length ? Math.max(...all) : null;
 }
 
-/** Share of a link's budget that its ages leave; null where one is unknown. */
+/** Share of a link's budget that its age sum leaves; null where one is unknown. */
 export function spare(state: State | null, a: number, b: number): number | null {
-  const [ages, budget] = [worse(state, a, b, "ages"), worse(state, a, b, "budget")];
-  return ages === null || budget === null || budget <= 0 ? null : 1 - ages / budget;
+  const [sum, budget] = [worse(state, a, b, "age_sum"), worse(state, a, b, "budget")];
+  return sum === null || budget === null || budget <= 0 ? null : 1 - sum / budget;
 }
 
 export const MODES: Record<string, string> = {

@@ -2,6 +2,7 @@
 
 from cotouch.body._body import Body
 from cotouch.body._builders import MOST_NODES, GridModel, chain, lattice, point
+from cotouch.body._cells import CORNERS
 from cotouch.body._checks import Matrix, SumOfSquares
 from cotouch.body._closed_surface import closed_surface
 from cotouch.body._cut_away import cut_away
@@ -26,6 +27,7 @@ from cotouch.body._together import Placed, joined, together
 from cotouch.body._truncation import Truncation
 
 __all__ = [
+    "CORNERS",
     "FACES",
     "MOST_ELEMENTS",
     "MOST_NODES",

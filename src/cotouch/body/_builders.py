@@ -8,10 +8,10 @@ import numpy as np
 import numpy.typing as npt
 import scipy.sparse as sp
 
-from cotouch.arrays import Index, Long
+from cotouch.arrays import Long
 from cotouch.body._body import Body
 from cotouch.body._checks import at_least_zero, one_number
-from cotouch.body._elasticity import cubes_of, springs_of_cells
+from cotouch.body._elasticity import cubes_of, laplacian_of, springs_of_cells
 from cotouch.body._ground import NodeNumbers, indices_of
 from cotouch.body._material import Frame, Material, linear_material
 from cotouch.body._shapes import box_surface
@@ -243,9 +243,7 @@ def _box_skin(places: Long, extents: tuple[int, ...], spacing: float) -> Skin:
 
 def _laplacian(places: Long, extents: tuple[int, ...], reach: int) -> sp.csr_array:
     """Unit-weight Laplacian of the grid; neighbours differ by at most 1 on each axis and on at most `reach` axes."""
-    count = places.shape[0]
-    starts: list[Index] = []
-    ends: list[Index] = []
+    pairs = [np.zeros((0, 2), np.int64)]
     for offset in np.ndindex(*(3,) * len(extents)):
         move = np.array(offset) - 1
         first = next((step for step in move if step), 0)
@@ -253,13 +251,9 @@ def _laplacian(places: Long, extents: tuple[int, ...], reach: int) -> sp.csr_arr
             continue
         target = places + move
         inside = np.flatnonzero(np.all((target >= 0) & (target < extents), axis=1))
-        starts.append(inside)
-        ends.append(np.asarray(np.ravel_multi_index(tuple(target[inside].T), extents)))
-    i = np.concatenate(starts) if starts else np.zeros(0, np.int64)
-    j = np.concatenate(ends) if ends else np.zeros(0, np.int64)
-    ones = np.ones(i.size)
-    rows, columns = np.concatenate([i, j, i, j]), np.concatenate([j, i, i, j])
-    return sp.csr_array((np.concatenate([-ones, -ones, ones, ones]), (rows, columns)), shape=(count, count))
+        pairs.append(np.stack([inside, np.ravel_multi_index(tuple(target[inside].T), extents)], axis=1))
+    edges = np.concatenate(pairs)
+    return laplacian_of(places.shape[0], edges, np.ones(len(edges)))
 
 
 def _held(ground: Ground, places: Long, extents: tuple[int, ...]) -> npt.NDArray[np.intp]:

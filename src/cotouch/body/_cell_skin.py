@@ -3,7 +3,7 @@
 import numpy as np
 
 from cotouch.arrays import Float, Long
-from cotouch.body._cells import CORNERS
+from cotouch.body._cells import shapes_of
 from cotouch.body._skin import Skin
 
 # A corner this near to a plane of the grid lies on it; where a piece is, is asked this far inside; both in cubes.
@@ -47,12 +47,11 @@ def divided(skin: Skin, rest: Float, cubes: Long) -> tuple[Skin, Long]:
     _, first, vertex = np.unique(keys, axis=0, return_index=True, return_inverse=True)
     of: Long = np.repeat(cell, 3)[first]
     local: Float = np.asarray(spots[first] - places[of], dtype=np.float64)
-    sides: Float = np.where(CORNERS[None] == 1, local[:, None, :], 1.0 - local[:, None, :])
     made = Skin(
         vertices=spots[first] * spacing + low,
         triangles=vertex.reshape(-1, 3),
         nodes=cubes[of],
-        weights=sides.prod(axis=2),
+        weights=shapes_of(local),
     )
     return made, cell
 

@@ -163,6 +163,15 @@ def carriers(vertices: Float, triangles: Long, cells: Cells) -> tuple[Long, Floa
     wanted = np.asarray(np.ravel_multi_index(tuple(places.T), tuple(cells.shape)))
     rows: Long = np.minimum(np.searchsorted(keys, wanted), keys.size - 1).astype(np.int64)
     assert np.array_equal(keys[rows], wanted)  # `cells_of` took every cell that holds a vertex
-    local = points - places
-    sides = np.where(CORNERS[None] == 1, local[:, None, :], 1.0 - local[:, None, :])
-    return rows, sides.prod(axis=2)
+    return rows, shapes_of(points - places)
+
+
+def shapes_of(local: Float) -> Float:
+    """Trilinear weights of a cube's corners, (P, 8).
+
+    Args:
+        local: places in the cube, 0 to 1 along each side, (P, 3).
+    """
+    share = local[:, None, :]
+    weights: Float = np.where(CORNERS[None] == 1, share, 1.0 - share).prod(axis=2)
+    return weights

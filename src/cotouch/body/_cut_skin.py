@@ -8,7 +8,7 @@ import numpy as np
 
 from cotouch.arrays import Bool, Float, Long
 from cotouch.body._body import Body
-from cotouch.body._cells import CORNERS as _CORNERS
+from cotouch.body._cells import shapes_of
 from cotouch.body._skin import Skin, joined_skins
 
 # Faces of an element seen from outside, by its number of corners; the sides of cubes are two triangles each.
@@ -169,7 +169,7 @@ def _within(skin: Skin, rest: Float, elements: Long, faces: Long, own: Long) -> 
     its own element, also when the one beside it is gone.
     """
     width = skin.nodes.shape[1]
-    lattice = width == elements.shape[1] == len(_CORNERS)
+    lattice = width == elements.shape[1] == 8
     # Corners of a lattice belong to one element, of other bodies to all that have the node.
     pairs = np.stack([np.repeat(own, 3) if lattice else np.zeros(faces.size, dtype=np.int64), faces.ravel()], axis=1)
     used, corners = np.unique(pairs, axis=0, return_inverse=True)
@@ -190,9 +190,8 @@ def _within(skin: Skin, rest: Float, elements: Long, faces: Long, own: Long) -> 
         moved = element[outside]
         places[outside] = skin.vertices[nearest[outside]]
         low, high = rest[elements[moved, 0]], rest[elements[moved, 7]]
-        share = ((places[outside] - low) / (high - low))[:, None, :]
         nodes[outside] = elements[moved]
-        weights[outside] = np.where(_CORNERS[None] == 1, share, 1.0 - share).prod(axis=2)
+        weights[outside] = shapes_of((places[outside] - low) / (high - low))
     return places, nodes, weights, corners.reshape(faces.shape)
 
 

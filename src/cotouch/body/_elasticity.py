@@ -69,7 +69,7 @@ def springs_along_edges(nodes: int, tetrahedra: Long, *, stiffness: float) -> sp
         stiffness: of one spring [N/m].
     """
     pairs = edges_of(tetrahedra)
-    return _laplacian(nodes, pairs[:, 0], pairs[:, 1], np.full(len(pairs), stiffness))
+    return laplacian_of(nodes, pairs, np.full(len(pairs), stiffness))
 
 
 def edges_of(tetrahedra: Long) -> Long:
@@ -159,7 +159,9 @@ def laplacian_of(nodes: int, edges: Long, stiffness: Float) -> sp.csr_array:
         edges: (S, 2) pairs of nodes.
         stiffness: (S,) of each spring [N/m].
     """
-    return _laplacian(nodes, edges[:, 0], edges[:, 1], stiffness)
+    i, j = edges.T
+    values = np.concatenate([stiffness, stiffness, -stiffness, -stiffness])
+    return sp.csr_array((values, (np.r_[i, j, i, j], np.r_[i, j, j, i])), shape=(nodes, nodes))
 
 
 def _assembled(rows: int, places: Long, one: Float, fill: Float) -> sp.csr_array:
@@ -169,11 +171,6 @@ def _assembled(rows: int, places: Long, one: Float, fill: Float) -> sp.csr_array
     values = (fill[:, None] * one.ravel()[None, :]).ravel()
     kept = np.tile(one.ravel() != 0.0, fill.size)
     return sp.csr_array((values[kept], (i[kept], j[kept])), shape=(rows, rows))
-
-
-def _laplacian(nodes: int, i: Long, j: Long, weights: Float) -> sp.csr_array:
-    values = np.concatenate([weights, weights, -weights, -weights])
-    return sp.csr_array((values, (np.r_[i, j, i, j], np.r_[i, j, j, i])), shape=(nodes, nodes))
 
 
 def _column(values: float | Float) -> float | Float:

@@ -8,6 +8,7 @@ from scipy.sparse.csgraph import connected_components
 
 from cotouch.arrays import Array, Float, Long
 from cotouch.body._cells import CORNERS, Cells, carriers, cells_of
+from cotouch.body._cut_skin import FACES
 from cotouch.body._repair import Shells
 from cotouch.body._skin import Skin
 from cotouch.errors import BodyError
@@ -178,7 +179,7 @@ def boundary_of(rest: Float, elements: Long) -> Skin:
         rest: (n, 3) places at rest [m].
         elements: (E, 4) indices of points.
     """
-    faces = np.concatenate([elements[:, face] for face in ([0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3])])
+    faces = np.concatenate([elements[:, face] for face in FACES[4]])
     _, first, times = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
     outer = faces[np.sort(first[times == 1])]
     used, places = np.unique(outer, return_inverse=True)

@@ -16,6 +16,7 @@ import scipy.sparse as sp
 from cotouch.arrays import Float, Long
 from cotouch.body._body import Body
 from cotouch.body._checks import SumOfSquares, one_number
+from cotouch.body._inertia import sums_of
 from cotouch.body._material import Material
 from cotouch.body._origin import Origin
 from cotouch.body._skin import Skin
@@ -39,12 +40,7 @@ def moments_of(vertices: Float, triangles: Long) -> tuple[float, Float, Float]:
         triangles: seen from outside, (F, 3).
     """
     middle = vertices.mean(axis=0)
-    corners = vertices[triangles] - middle
-    six = np.linalg.det(corners)  # volume of the tetrahedron to the middle, times 6
-    total = corners.sum(axis=1)
-    volume = float(six.sum()) / 6.0
-    first = six @ total / 24.0
-    second = np.einsum("t,ti,tj->ij", six, total, total) + np.einsum("t,tci,tcj->ij", six, corners, corners)
+    volume, first, second = sums_of(vertices[triangles] - middle)
     return volume, middle + first / volume, second / (120.0 * volume) - np.outer(first, first) / volume**2
 
 

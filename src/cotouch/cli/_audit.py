@@ -64,7 +64,7 @@ def _users(console: Console, result: Audit) -> None:
         ("put in by hands and tools", lambda ledger: ledger.supplied),
         ("added by links", lambda ledger: ledger.link_work),
         ("lost in the body's dampers", lambda ledger: 0.0 - ledger.body_loss),
-        ("lost in the links' damping B", lambda ledger: 0.0 - ledger.local_loss),
+        ("lost in the links' damping", lambda ledger: 0.0 - ledger.local_loss),
         ("lost in extra damping B_e", lambda ledger: 0.0 - ledger.extra_loss),
         ("lost in contacts and grasps", lambda ledger: 0.0 - ledger.touch_loss),
         ("change from joining and leaving", lambda ledger: ledger.members),

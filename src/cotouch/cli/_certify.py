@@ -117,7 +117,7 @@ def _print(network: Network, period: float, tables: _Tables, spare: _Spare) -> N
             # With equal costs the smallest sum is the plain rule.
             if method != "sum" or not np.allclose(certificate.damping, certificates["rule"].damping, rtol=1e-9)
         }
-        grid = new_table("damping B, Ns/m", *shown, title=_TITLES[basis].format(period=period))
+        grid = new_table("damping, Ns/m", *shown, title=_TITLES[basis].format(period=period))
         columns = [certificate.damping.sum(axis=1) for certificate in shown.values()]
         for i, name in enumerate(network.users):
             grid.add_row(

@@ -44,7 +44,7 @@ def run(path: Path, *, out: Path, dask: str | None, jobs: int, as_json: bool) ->
 
     console = Console()
     for users in found["users"].values.tolist():
-        shown = new_table("law", *map(literal, networks), title=f"J with {users} users")
+        shown = new_table("law", *map(literal, networks), title=f"cost with {users} users")
         for law in laws:
             shown.add_row(literal(law), *(_cell(*costs[law, network, users]) for network in networks))
         console.print(shown)

@@ -55,10 +55,10 @@ class Console:
                 case "":
                     return ""
                 case "expel" if name:
-                    self._host.expel(name)
+                    self._host.coordinator.expel(name)
                     return f"{name} was expelled and cannot come back with this key"
                 case "release" if name:
-                    self._host.release(name)
+                    self._host.coordinator.release(name)
                     return f'the name "{name}" is free'
                 case "who":
                     return ", ".join(f"{e.slot + 1} {e.name}" for e in self._host.roster.members) or "nobody has joined"

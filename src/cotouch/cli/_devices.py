@@ -4,6 +4,7 @@ import math
 import sys
 import time
 from collections.abc import Callable
+from contextlib import closing
 from typing import NotRequired, TypedDict
 
 import numpy as np
@@ -124,14 +125,10 @@ def calibrate(text: str, *, allow_motion: bool, as_json: bool) -> None:
         allow_motion: whether the device may move by itself.
         as_json: whether to print one JSON object and nothing else on standard output.
     """
-    device, close = _opened(text)
-    try:
+    with closing(_opened(text)) as device:
         device.calibrate(allow_motion=allow_motion)
         reading = device.exchange(np.zeros(3))
-        place = [float(value) for value in reading.position]
-        calibrated = bool(reading.flags & 1)
-    finally:
-        close()
+    place, calibrated = reading.position.tolist(), Flag.CALIBRATED in reading.flags
     if as_json:
         print_json({"device": text, "calibrated": calibrated, "position": place})
         return
@@ -148,14 +145,10 @@ def monitor(text: str, *, seconds: float | None, as_json: bool) -> None:
         seconds: ends after so long [s]; None: does not.
         as_json: whether to print one JSON object and nothing else on standard output.
     """
-    device, close = _opened(text)
-    period = 1.0 / min(device.spec.rate, 1000.0)
-    try:
+    with closing(_opened(text)) as device:
         device.calibrate(allow_motion=False)
         with stop_signals() as stopped:
-            cycles, slowest, last = _watch(device, period, seconds, stopped, quiet=as_json)
-    finally:
-        close()
+            cycles, slowest, last = _watch(device, seconds, stopped, quiet=as_json)
     if as_json:
         print_json(
             {
@@ -174,8 +167,9 @@ def monitor(text: str, *, seconds: float | None, as_json: bool) -> None:
 
 
 def _watch(
-    device: Device, period: float, seconds: float | None, stopped: Callable[[], bool], *, quiet: bool
+    device: Device, seconds: float | None, stopped: Callable[[], bool], *, quiet: bool
 ) -> tuple[int, float, DeviceReading]:
+    period = 1.0 / min(device.spec.rate, 1000.0)
     begun = drawn = time.monotonic()
     cycles, slowest = 0, 0.0
     with Live(console=Console(stderr=True, quiet=quiet), auto_refresh=False) as live:
@@ -210,7 +204,6 @@ def _flags(flags: Flag) -> list[str]:
     return [str(flag.name).lower() for flag in Flag if flags & flag]
 
 
-def _opened(text: str) -> tuple[Device, Callable[[], None]]:
+def _opened(text: str) -> Device:
     choice = DeviceChoice.read(text)
-    device = open_device(choice.name, **choice.options)
-    return device, device.close
+    return open_device(choice.name, **choice.options)

@@ -58,7 +58,7 @@ def feel(
         values = [found.attrs[f"{kind}_{quantity}"] for kind in kinds]
         table.add_row(f"{quantity} [dim]{unit}[/dim]", *(_known(value) for value in values))
     console.print(table)
-    table = new_table("Hz", *(f"Z {kind}\nNs/m" for kind in kinds), text=0)
+    table = new_table("Hz", *(f"impedance {kind}\nNs/m" for kind in kinds), text=0)
     for index, frequency in enumerate(found["frequency"].values.tolist()):
         parts = [(columns[f"{kind}_real"][index], columns[f"{kind}_imag"][index]) for kind in kinds]
         table.add_row(number(frequency, digits=3), *(_complex(*part) for part in parts))

@@ -41,7 +41,7 @@ def numbers(found: MeasuredNetwork) -> dict[str, object]:
     return {
         "users": list(network.users),
         "delay_s": network.delay.tolist(),
-        "spring_N_per_m": network.spring.tolist(),
+        "spring_n_m": network.spring.tolist(),
         "links": [[a + 1, b + 1] for a, b in network.links],
         "not_measured": [[a + 1, b + 1] for a, b in found.missing],
         "emulated": found.emulated,

@@ -67,7 +67,7 @@ def _served(api: "SessionApi", at: "PageAddress", tell: Callable[[str], None]) -
                 "which is sent unencrypted, can take part"
             )
         if desktop():
-            threading.Thread(target=_open, args=(server.ticket(),), daemon=True).start()
+            threading.Thread(target=_open, args=(server.ticket(),), name="cotouch browser", daemon=True).start()
         yield
 
 

@@ -60,7 +60,7 @@ def print_plan(found: Plan) -> None:
             title,
             *([] if long else [literal(texts[choice.links])]),
             number(choice.value, digits=7),
-            "never settles" if choice.period > 1 else number(choice.time_constant_s),
+            "never settles" if choice.cycle_period > 1 else number(choice.time_constant_s),
             number(choice.worst_path_s),
             number(float(choice.damping.max())),
             end_section=place == len(rows),

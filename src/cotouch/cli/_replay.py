@@ -74,7 +74,7 @@ class _Link(TypedDict):
 
 class _Now(TypedDict):
     rate: float
-    T: float
+    period: float
     force: float
     residual: float
     stored: float
@@ -90,7 +90,7 @@ def _now(recording: Recording, row: int) -> _Now:
     span = end - float(columns["time"][first] - columns["period"][first])
     return {
         "rate": (row + 1 - first) / span,
-        "T": float(columns["period"][row]),
+        "period": float(columns["period"][row]),
         "force": float(_forces(recording, slice(row, row + 1))[0]),
         "residual": float(np.abs(columns["residual"][own]).max()),
         "stored": sum(float(columns[name][row]) for name in ("kinetic", "elastic", "proxy", "touch_stored")),
@@ -133,7 +133,7 @@ def _line(recording: Recording, row: int, time: float) -> str:
         for link in now["links"]
     )
     return (
-        f"{time:9.3f} s  {number(now['rate'], 'Hz')}  T {number(1e3 * now['T'], 'ms', 3)}  "
+        f"{time:9.3f} s  {number(now['rate'], 'Hz')}  period {number(1e3 * now['period'], 'ms', 3)}  "
         f"force {number(now['force'], 'N', 3)}  residual {number(now['residual'], 'J', 2)}  [{links}]"
     )
 
@@ -141,8 +141,9 @@ def _line(recording: Recording, row: int, time: float) -> str:
 def _table(recording: Recording, row: int, time: float) -> Table:
     now = _now(recording, row)
     caption = (
-        f"{number(now['rate'], 'Hz')} · T {number(1e3 * now['T'], 'ms', 3)} · force {number(now['force'], 'N', 3)} · "
-        f"stored {number(now['stored'], 'J', 3)} · residual {number(now['residual'], 'J', 2)}"
+        f"{number(now['rate'], 'Hz')} · period {number(1e3 * now['period'], 'ms', 3)} · "
+        f"force {number(now['force'], 'N', 3)} · stored {number(now['stored'], 'J', 3)} · "
+        f"residual {number(now['residual'], 'J', 2)}"
     )
     title = f"{literal(recording.name)}, {time:.2f} s of {_seconds(recording):.2f} s"
     table = Table(title=title, caption=caption, box=SIMPLE_HEAD, title_justify="left", caption_justify="left")
@@ -167,7 +168,7 @@ def _seconds(recording: Recording) -> float:
 
 def _summary(recording: Recording) -> dict[str, object]:
     columns = recording.columns
-    T, force = columns["period"], _forces(recording, slice(None))
+    periods, force = columns["period"], _forces(recording, slice(None))
     counts: dict[str, int] = {}
     for event in recording.events:
         counts[event.kind] = counts.get(event.kind, 0) + 1
@@ -183,8 +184,8 @@ def _summary(recording: Recording) -> dict[str, object]:
         "steps": recording.steps,
         "missing_steps": recording.missing,
         "seconds": _seconds(recording),
-        "rate_hz": recording.steps / float(T.sum()),
-        "T_s": {"min": float(T.min()), "mean": float(T.mean()), "max": float(T.max())},
+        "rate_hz": recording.steps / float(periods.sum()),
+        "period_s": {"min": float(periods.min()), "mean": float(periods.mean()), "max": float(periods.max())},
         "peak_force_n": float(force.max(initial=0.0)),
         "residual_j": float(np.abs(columns["residual"]).max()),
         "supplied_j": float(columns["supplied"].sum() + columns["drive_work"].sum()),

@@ -1,6 +1,5 @@
 """`cotouch reproduce`."""
 
-import os
 import sys
 import webbrowser
 from collections.abc import Iterator
@@ -14,6 +13,7 @@ from rich.table import Table
 from rich.table import Table as Grid
 
 from cotouch.cli._output import number, print_json
+from cotouch.cli._page import desktop
 from cotouch.files import folder
 from cotouch.study import reproduce
 
@@ -49,7 +49,7 @@ def run(out: Path, *, as_json: bool) -> None:
         f"play."
     )
     console.print(f"Report: {result.report.resolve()}", highlight=False, soft_wrap=True)
-    if _desktop():
+    if sys.stdout.isatty() and desktop():
         webbrowser.open(result.report.resolve().as_uri())
 
 
@@ -151,10 +151,3 @@ def _tables(numbers: dict[str, Any]) -> Iterator[Table]:
             number(way["steps_per_s"], digits=4),
         )
     yield ways
-
-
-def _desktop() -> bool:
-    """Whether someone sits in front of a screen that a browser can open on."""
-    if not sys.stdout.isatty():
-        return False
-    return sys.platform in {"darwin", "win32"} or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))

@@ -61,7 +61,9 @@ def host(
 
     session = SessionFile.read(file, law=law)
     with stop_signals() as stopped, open_host(session, listen=listen, port=port, key_file=key_file) as opened:
-        while opened.host.admission.fingerprint is None and not stopped():  # nobody is invited to a body that is wrong
+        while (
+            opened.host.coordinator.admission.fingerprint is None and not stopped()
+        ):  # nobody is invited to a body that is wrong
             opened.service(time.monotonic())
             time.sleep(_POLL)
         line = opened.invitation.encode()
@@ -199,7 +201,7 @@ def sentence(taken: "ParticipationOutcome") -> str:
     if status is None or not status.steps:
         return f"{why}{taken.name} did not get to take part"
     return (
-        f"{why}{taken.name} took {status.steps} steps in {status.time:.1f} s, {status.missed} late; the ledger "
+        f"{why}{taken.name} took {status.steps} steps in {status.time:.1f} s, {status.missed} missed; the ledger "
         f"balances to {status.residual:.1e} of the energy in play; link law {status.law}"
         + ("" if taken.recorded is None else f"; {taken.recorded} steps were recorded")
     )

@@ -157,10 +157,10 @@ def _cuts(cuts: Cuts | None, grid: Table) -> None:
 def _users(console: Console, names: tuple[str, ...], figures: Summary) -> None:
     held = figures["hold"]
     columns: list[tuple[str, list[Numbers]]] = [
-        ("damping B\nNs/m", figures["local_damping"]),
-        (f"x at {held['time_s']:g} s\nm", held["position"]),
-        ("f then\nN", held["force"]),
-        ("x at the end\nm", figures["final"]["position"]),
+        ("damping\nNs/m", figures["local_damping"]),
+        (f"position at {held['time_s']:g} s\nm", held["position"]),
+        ("force then\nN", held["force"]),
+        ("position at the end\nm", figures["final"]["position"]),
     ]
     told = [(heading, [_short(value) for value in values]) for heading, values in columns]
     print_columns(console, figures["title"], names, told)
@@ -176,7 +176,7 @@ def _rigid_tools(console: Console, names: tuple[str, ...], tools: list[RigidTool
 
 def _tools(names: tuple[str, ...], figures: Summary) -> Table:
     """With tools: what each of them felt instead of where nodes are, of which there are many."""
-    table = new_table("user", "damping B\nNs/m")
+    table = new_table("user", "damping\nNs/m")
     table.add_column("tool", no_wrap=True)
     for heading in ("felt N\npeak", "\nmean", "contacts\nmost", "\ntime s"):
         table.add_column(heading, justify="right")
@@ -302,7 +302,7 @@ def _ledger(figures: Summary, closure: Closure | None, cuts: Cuts | None) -> Tab
     verdict = "passive" if margin >= -rounding else "[red]not passive[/red]"
     told = f"{verdict}: margin {number(margin if abs(margin) > rounding else 0.0, 'J')}"
     if figures["judge"]["law"] == "spring":
-        told += f"; damping B took {number(figures['slack_j']['at_end'], 'J')} more than delays added"
+        told += f"; the links' damping took {number(figures['slack_j']['at_end'], 'J')} more than delays added"
     grid.add_row("  passivity", told)
     grid.add_row("  law", _law(figures["judge"], rounding))
     coupling = _coupling(figures.get("tools", []))

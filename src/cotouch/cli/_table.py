@@ -21,10 +21,10 @@ _MARKS = {
 _COLUMNS = (
     ("user", "", True),
     ("linked to", "", True),
-    ("ages", "ms", False),
+    ("age sum", "ms", False),
     ("budget", "ms", False),
     ("steps", "1/s", False),
-    ("late", "", False),
+    ("missed", "", False),
     ("apart", "mm", False),
     ("hand", "N", False),
     ("ledger", "error", False),
@@ -119,10 +119,10 @@ def felt_words(known: Sequence[Status]) -> str:
 def traffic_words(known: Sequence[Status]) -> str:
     """What all members together send, and what a codec saves of it, in a sentence; empty before they send."""
     links = [link for status in known for link in status.links]
-    datagrams, size = sum(link.datagrams for link in links), sum(link.size for link in links)
+    datagrams, size = sum(link.datagram_rate for link in links), sum(link.byte_rate for link in links)
     if size == 0.0:
         return ""
-    full = sum(link.size / (1.0 - link.saved) for link in links if link.saved < 1.0)
+    full = sum(link.byte_rate / (1.0 - link.saved) for link in links if link.saved < 1.0)
     saved = f"; the codec saves {100.0 * (1.0 - size / full):.0f} %" if full > size else ""
     return f"Samples: {datagrams:,.0f} datagrams and {size / 1e3:,.1f} kB a second{saved}."
 
@@ -149,7 +149,9 @@ def _legend(known: Sequence[Status]) -> Text:
             worst = f"{100.0 * status.closure_factor:.2g} %"
             off = f"forces and energy disagree in {status.closure_alarms:,} of {status.steps:,} steps, by up to {worst}"
             legend.append(f"\nuser {status.slot + 1}: {off}; shorter steps help", style="yellow")
-    legend.append("\nages: sum of the sample ages at both ends; budget: ages that the damping covers", style="dim")
+    legend.append(
+        "\nage sum: of the samples at both ends of a link; budget: age sum that the damping covers", style="dim"
+    )
     return legend
 
 
@@ -165,8 +167,8 @@ def _row(seen: MemberState, now: float) -> list[str | RenderableType]:
         marks.append(mark, style=colour).append(f"{link.slot + 1}{'~' if link.path_state == 'relayed' else ''} ")
     apart = max((link.difference for link in status.links if link.difference is not None), default=None)
     ages, budget = _ages(status.links)
-    margin = status.certificate
-    slow = status.period > 0.0 and status.rate < _SLOW / status.period
+    margin = status.damping_margin
+    slow = status.nominal_period > 0.0 and status.rate < _SLOW / status.nominal_period
     return [
         name,
         marks,
@@ -183,7 +185,7 @@ def _row(seen: MemberState, now: float) -> list[str | RenderableType]:
 
 def _ages(links: list[LinkStatus]) -> tuple[str, str]:
     """Greatest sum of both directions' ages of any link, and what is budgeted for it."""
-    known = [(link.ages, link.budget) for link in links if link.ages is not None]
+    known = [(link.age_sum, link.budget) for link in links if link.age_sum is not None]
     if not known:
         return "", ""
     ages, budget = max(known, key=lambda pair: pair[0])

@@ -139,6 +139,11 @@ class ZenohControl:
         """How many messages were refused, by reason."""
         return self._reader.refused
 
+    @property
+    def corrupt(self) -> Counter[str]:
+        """How often a file had another hash than it was served under, by the server's public key in hexadecimal."""
+        return self._files.corrupt
+
     def send(self, topic: str, body: bytes, *, to: bytes | None = None) -> None:
         """Says something to one member, or to all others: a thread signs and sends it.
 
@@ -168,7 +173,7 @@ class ZenohControl:
         """From now on nothing of these members is taken or handed on, and of nobody else."""
         self._shunned = members
         if self._forwarder is not None:
-            self._forwarder.shunned = frozenset(member.hex() for member in members)
+            self._forwarder.shunned = members
 
     def offer(self, content: bytes) -> bytes:
         """Keeps a file for others to fetch; returns its SHA-256.

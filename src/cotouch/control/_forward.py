@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, final
 
 from cotouch.control._pairs import TAG_BYTES, PairTags
 from cotouch.control._sign import MOST_MESSAGE, cost_of
-from cotouch.control._zenoh import put
+from cotouch.control._zenoh import Priority, put
+from cotouch.control._zenoh_keys import sender_of
 from cotouch.samples import MOST_BYTES, SourceLimit
 
 if TYPE_CHECKING:
@@ -28,7 +29,7 @@ class Forwarder:
     """Listens at the host, and says again; in Zenoh's own threads.
 
     Attributes:
-        shunned: names of members for whom nothing is handed on.
+        shunned: public keys of members for whom nothing is handed on.
     """
 
     def __init__(self, session: "zenoh.Session", prefix: str, tags: PairTags, clock: "Callable[[], float]") -> None:
@@ -37,17 +38,15 @@ class Forwarder:
         Args:
             session: the host's.
             prefix: of the session's names.
-            tags: the host's own; nobody else uses them.
+            tags: the host's own.
             clock: [s].
         """
         import zenoh
         from zenoh.handlers import Callback
 
-        self.shunned = frozenset[str]()
+        self.shunned = frozenset[bytes]()
         self._session, self._prefix, self._tags, self._clock = session, prefix, tags, clock
         self._lock = threading.Lock()  # among Zenoh's threads
-        # Who was not heard before costs a key agreement, and is let through only so often.
-        self._strangers = SourceLimit(rate=_RATE, burst=_BURST, stranger_rate=20.0, stranger_burst=20.0)
         self._limit = SourceLimit(rate=_RATE, burst=_BURST, stranger_rate=_RATE, stranger_burst=_BURST)
         self._pass_limit = SourceLimit(
             rate=_PASS_RATE, burst=_PASS_BURST, stranger_rate=_PASS_RATE, stranger_burst=_PASS_BURST
@@ -58,33 +57,23 @@ class Forwarder:
             )
 
     def _forward(self, sample: "zenoh.Sample") -> None:
-        sender, to, said = self._checked(sample, MOST_MESSAGE)
-        name = sender.encode()
-        if said is None or not self._limit.take(self._clock(), name, name, cost_of(len(said))):
-            return
-        # Dropped rather than waited for: this thread also hears everybody else.
-        put(self._session, f"{self._prefix}/said/{sender}/{to}", said, priority="INTERACTIVE_HIGH")
+        cost = cost_of(len(sample.payload) - TAG_BYTES)
+        self._again(sample, MOST_MESSAGE, self._limit, cost, "said", "INTERACTIVE_HIGH")
 
     def _pass(self, sample: "zenoh.Sample") -> None:
-        sender, to, said = self._checked(sample, MOST_BYTES + TAG_BYTES)
-        name = sender.encode()
-        if said is None or not self._pass_limit.take(self._clock(), name, name):
-            return
-        put(self._session, f"{self._prefix}/relay/{sender}/{to}", said, priority="DATA_HIGH")
+        self._again(sample, MOST_BYTES + TAG_BYTES, self._pass_limit, 1.0, "relay", "DATA_HIGH")
 
-    def _checked(self, sample: "zenoh.Sample", most: int) -> tuple[str, str, bytes | None]:
-        """Sender, recipient, and what is for the recipient; None if the sender did not send it, or too much."""
-        *_, sender, to = str(sample.key_expr).split("/")
-        size = len(sample.payload)
-        if not TAG_BYTES <= size <= most + TAG_BYTES or len(sender) != 64 or sender in self.shunned:
-            return sender, to, None
-        raw = sample.payload.to_bytes()
-        said = raw[:-TAG_BYTES]
+    def _again(
+        self, sample: "zenoh.Sample", most: int, limit: SourceLimit, cost: float, kind: str, priority: Priority
+    ) -> None:
+        """Says to the recipient what the sender sent, unless it is too long or one too many."""
+        key = str(sample.key_expr)
+        sender, now = sender_of(key), self._clock()
+        if sender is None or sender in self.shunned or len(sample.payload) > most + TAG_BYTES:
+            return
+        said = self._tags.read(sender, sample.payload.to_bytes(), now)
         with self._lock:
-            try:
-                key = bytes.fromhex(sender)
-            except ValueError:
-                return sender, to, None
-            if not self._tags.known(key) and not self._strangers.take(self._clock(), key, key):
-                return sender, to, None
-            return sender, to, said if self._tags.true(key, said, raw[-TAG_BYTES:]) else None
+            if said is None or not limit.take(now, sender, sender, cost):
+                return
+        # Dropped rather than waited for: this thread also hears everybody else.
+        put(self._session, f"{self._prefix}/{kind}/{sender.hex()}/{key.rpartition('/')[2]}", said, priority=priority)

@@ -41,12 +41,6 @@ class Endpoint(NamedTuple):
     def __str__(self) -> str:
         return f"[{self.host}]:{self.port}" if ":" in self.host else f"{self.host}:{self.port}"
 
-    @property
-    def loopback(self) -> bool:
-        """Whether only this machine can reach it."""
-        numeric = _numeric(self.host)
-        return self.host == "localhost" if numeric is None else numeric.is_loopback
-
     @classmethod
     def parse(cls, text: str) -> "Endpoint":
         """Reads `host:port`, or `[host]:port` for IPv6.

@@ -7,13 +7,14 @@ shared secret, the session, and who sends to whom gives a key of each direction.
 
 import hashlib
 import hmac
+import threading
 from typing import final
 
 from cryptography.hazmat.primitives.asymmetric.x25519 import X25519PrivateKey, X25519PublicKey
 from cryptography.hazmat.primitives.hashes import SHA256
 from cryptography.hazmat.primitives.kdf.hkdf import HKDF
 
-from cotouch.samples import Identity
+from cotouch.samples import Identity, SourceLimit
 
 TAG_BYTES = 16
 _PRIME = 2**255 - 19
@@ -23,7 +24,7 @@ _MOST_PAIRS = 1024
 
 @final
 class PairTags:
-    """One member's MACs with all others. For several threads only under a lock."""
+    """One member's MACs with all others. Any thread may call it."""
 
     def __init__(self, identity: Identity, session: bytes) -> None:
         """Begins.
@@ -37,6 +38,9 @@ class PairTags:
         scalar = hashlib.sha512(identity.secret).digest()[:32]
         self._key = X25519PrivateKey.from_private_bytes(scalar)
         self._pairs: dict[bytes, tuple[bytes, bytes] | None] = {}
+        self._lock = threading.Lock()
+        # Who was not heard before costs a key agreement, a hundred times a check, so only so many a second.
+        self._strangers = SourceLimit(rate=1.0, burst=1.0, stranger_rate=20.0, stranger_burst=20.0)
 
     def known(self, other: bytes) -> bool:
         """Whether the keys with this member are there, so that a check costs 2 µs and not a hundred times that."""
@@ -49,19 +53,25 @@ class PairTags:
             to: public key of the receiver.
             said: what the tag vouches for.
         """
-        keys = self._with(to)
+        with self._lock:
+            keys = self._with(to)
         return None if keys is None else hmac.digest(keys[0], said, "sha256")[:TAG_BYTES]
 
-    def true(self, sender: bytes, said: bytes, tag: bytes) -> bool:
-        """Whether that member said this to this one.
+    def read(self, sender: bytes, raw: bytes, now: float) -> bytes | None:
+        """What a member said to this one, without the tag behind it; None: somebody else said it, or one too many.
 
         Args:
             sender: public key of who is said to have said it.
-            said: what the tag vouches for.
-            tag: 16 bytes.
+            raw: what came.
+            now: [s].
         """
-        keys = self._with(sender)
-        return keys is not None and hmac.compare_digest(hmac.digest(keys[1], said, "sha256")[:TAG_BYTES], tag)
+        with self._lock:
+            if len(raw) < TAG_BYTES or (not self.known(sender) and not self._strangers.take(now, sender, sender)):
+                return None
+            keys = self._with(sender)
+        said, tag = raw[:-TAG_BYTES], raw[-TAG_BYTES:]
+        true = keys is not None and hmac.compare_digest(hmac.digest(keys[1], said, "sha256")[:TAG_BYTES], tag)
+        return said if true else None
 
     def _with(self, other: bytes) -> tuple[bytes, bytes] | None:
         if other in self._pairs:

@@ -6,7 +6,7 @@ from typing import final
 
 from cotouch.control._control import Relayed
 from cotouch.control._pairs import TAG_BYTES, PairTags
-from cotouch.samples import MOST_BYTES, Identity, SourceLimit
+from cotouch.samples import Identity, SourceLimit
 
 _MOST_RELAYED = 4096
 # Datagrams of whom this member does not see come through the host, at a relay's rate and twice that.
@@ -31,9 +31,6 @@ class Relays:
         self._lock = threading.Lock()
         self._limit = SourceLimit(rate=_RATE, burst=_BURST, stranger_rate=_UNSEEN_RATE, stranger_burst=_UNSEEN_BURST)
         self._tags = PairTags(identity, session)
-        self._tags_lock = threading.Lock()  # its own: an agreement on keys holds up no other's datagrams
-        # Whoever is said to send and was not heard before costs a key agreement, so only so many a second.
-        self._new_limit = SourceLimit(rate=1.0, burst=1.0, stranger_rate=20.0, stranger_burst=20.0)
 
     def know(self, member: bytes) -> None:
         """This member is connected."""
@@ -52,26 +49,24 @@ class Relays:
             said: what the tag vouches for.
             to: public key of the receiver.
         """
-        with self._tags_lock:
-            return said + (self._tags.tag(to, said) or bytes(TAG_BYTES))
+        return said + (self._tags.tag(to, said) or bytes(TAG_BYTES))
 
     def take(self, sender: bytes | None, raw: bytes, now: float) -> None:
         """Keeps a tagged datagram until it is polled, unless somebody else sent it or its sender sends too much.
 
         Args:
             sender: public key of who is said to have sent it; None: nobody whose datagrams are taken.
-            raw: what came; empty: it was too short or too long.
+            raw: what came; empty: it was too long.
             now: [s].
         """
-        if sender is None or not raw or not self._came(sender, raw, now):
-            with self._lock:
-                self._dropped["relayed, forged"] += 1
-            return
+        said = None if sender is None else self._tags.read(sender, raw, now)  # before anything counts against its limit
         with self._lock:
-            if not self._limit.take(now, sender, sender):
+            if sender is None or said is None:
+                self._dropped["relayed, forged"] += 1
+            elif not self._limit.take(now, sender, sender):
                 self._dropped["relayed"] += 1
-                return
-        self._waiting.append(Relayed(raw[:-TAG_BYTES], sender, now))
+            else:
+                self._waiting.append(Relayed(said, sender, now))
 
     def poll(self) -> list[Relayed]:
         """What was taken since the last call, oldest first; of too many, the newest."""
@@ -79,12 +74,3 @@ class Relays:
         while self._waiting:
             out.append(self._waiting.popleft())
         return out
-
-    def _came(self, sender: bytes, raw: bytes, now: float) -> bool:
-        """Whether that member sent this; looked at before anything counts against its limit."""
-        if not TAG_BYTES <= len(raw) <= MOST_BYTES + TAG_BYTES:
-            return False
-        with self._tags_lock:
-            if not self._tags.known(sender) and not self._new_limit.take(now, sender, sender):
-                return False
-            return self._tags.true(sender, raw[:-TAG_BYTES], raw[-TAG_BYTES:])

@@ -13,7 +13,7 @@ from cotouch.device import DeviceSpec
 from cotouch.drivers._dhd import BUTTON, CAUSES, DEADMAN, SATURATED, TIME_GUARD, WATCHDOG, Dhd
 from cotouch.drivers._dhd_systems import SPECS, SYSTEMS, UNKNOWN, with_wrist
 from cotouch.drivers._rotation import quaternion_of
-from cotouch.drivers._watch import SampleWatch
+from cotouch.drivers._watch import SampleWatch, failed
 from cotouch.errors import DeviceError
 from cotouch.haptics import ARM, FORCE_DIMENSION_FRAME, DeviceReading, Flag
 
@@ -129,9 +129,9 @@ class ForceDimension:
                 dhd.wait_for_reset(max(1, int(1e3 * self._reset)))
         except DeviceError as error:
             hint = "keep clear of it" if allow_motion else "put its handle into its rest, or allow it to move by itself"
-            raise self._fault(f"{self._spec.name} is not calibrated; {hint}: {error}") from None
+            raise failed(self, f"{self._spec.name} is not calibrated; {hint}: {error}") from None
         if not dhd.initialized():
-            raise self._fault(f"{self._spec.name} is still not calibrated after trying; switch it off and on")
+            raise failed(self, f"{self._spec.name} is still not calibrated after trying; switch it off and on")
 
     def enable_force(self, on: bool = True) -> None:
         """See `Device.enable_force`."""
@@ -161,7 +161,7 @@ class ForceDimension:
         dhd = self._opened()
         torque = np.zeros(3) if torque is None else torque
         if not (np.isfinite(force).all() and np.isfinite(torque).all()):
-            raise self._fault(f"{self._spec.name} was given a force that is not finite")
+            raise failed(self, f"{self._spec.name} was given a force that is not finite")
         began, before = time.monotonic(), self._began
         self._began = began
         try:
@@ -182,13 +182,13 @@ class ForceDimension:
             buttons = dhd.buttons()
             calibrated = dhd.initialized()
         except DeviceError as error:
-            raise self._fault(str(error)) from None
+            raise failed(self, str(error)) from None
         took = time.monotonic() - began
         slow, self._slow = self._slow, took > _LIMIT
         if why is None and slow and self._slow:
             why = f"took {1e3 * took:.0f} ms for a cycle, the second in a row of more than {1e3 * _LIMIT:.0f} ms"
         if why is not None:
-            raise self._fault(f"{self._spec.name} {why}")
+            raise failed(self, f"{self._spec.name} {why}")
         flags = Flag.CALIBRATED if calibrated else Flag(0)
         flags |= Flag.FORCE_ON if on and not self._slow else Flag(0)
         flags |= Flag.LIMITED if code else Flag(0)
@@ -272,11 +272,6 @@ class ForceDimension:
         if self._dhd is None:
             raise DeviceError(f"{self._spec.name} is not open; open it first")
         return self._dhd
-
-    def _fault(self, why: str) -> DeviceError:
-        """Takes the force away, and says why."""
-        self.stop()
-        return DeviceError(why)
 
 
 def _check_family(index: int, family: str, product: str, wanted: str | None) -> None:

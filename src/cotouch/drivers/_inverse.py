@@ -15,7 +15,7 @@ from cotouch.device import PRESETS, DeviceSpec
 from cotouch.drivers._inverse_aside import SERVICE, WHAT, halt, holders
 from cotouch.drivers._inverse_frame import Grip, InverseState, choose, grip_of, read_event, read_frame, read_state
 from cotouch.drivers._inverse_session import asking, command, deviations, greeting, plea
-from cotouch.drivers._watch import SampleWatch
+from cotouch.drivers._watch import SampleWatch, failed
 from cotouch.drivers._websocket import WebSocket
 from cotouch.errors import DeviceError, TransportError
 from cotouch.haptics import HAPLY_FRAME, DeviceReading, Flag
@@ -61,7 +61,6 @@ class Inverse3:
         events: str | None = EVENTS,
         limit: float = LIMIT,
         grip: str | None = None,
-        middle: tuple[float, float, float] = MIDDLE,
     ) -> None:
         """Connects to nothing yet.
 
@@ -71,7 +70,6 @@ class Inverse3:
             events: of its events, by which it says that a safety function was triggered; None: do without.
             limit: within which it must answer, 0.005 to 0.08 [s].
             grip: `device_id` of the handle; None: the one that belongs to the device, if that can be told.
-            middle: of the workspace, in the service's axes [m].
 
         Raises:
             DeviceError: the limit is out of range.
@@ -80,7 +78,7 @@ class Inverse3:
             raise DeviceError(f"the time limit of an answer is {limit:g} s; it must be from {_LATE:g} to 0.08 s")
         self._wanted, self._url, self._events_url, self._limit = identity, url, events, limit
         self._wanted_grip = grip
-        self._middle = HAPLY_FRAME.place(middle)
+        self._middle = HAPLY_FRAME.place(MIDDLE)
         self._spec = replace(PRESETS["inverse3"], force=_FORCE)
         self._socket: WebSocket | None = None
         self._events: WebSocket | None = None
@@ -140,8 +138,9 @@ class Inverse3:
         if not self._calibrated:
             self.exchange(np.zeros(3))
         if not self._calibrated:
-            raise self._fault(
-                f"the Inverse3 {self._identity} is not calibrated; place its arm as Haply Hub shows, and open it again"
+            raise failed(
+                self,
+                f"the Inverse3 {self._identity} is not calibrated; place its arm as Haply Hub shows, and open it again",
             )
 
     def enable_force(self, on: bool = True) -> None:
@@ -156,7 +155,7 @@ class Inverse3:
         """See `Device.exchange`."""
         link = self._opened()
         if not np.isfinite(force).all():
-            raise self._fault("the Inverse3 was given a force that is not finite")
+            raise failed(self, "the Inverse3 was given a force that is not finite")
         try:
             if self._owed == 0:
                 self._send(link, force)
@@ -175,9 +174,9 @@ class Inverse3:
             self._look(state)
             self._listen()
         except TransportError as lost:
-            raise self._fault(f"the connection to the Inverse Service is gone: {lost}") from None
+            raise failed(self, f"the connection to the Inverse Service is gone: {lost}") from None
         except DeviceError as error:
-            raise self._fault(str(error)) from None
+            raise failed(self, str(error)) from None
         self._check_status(opening=False)
         return self._read(0.5 * (self._asked + now))
 
@@ -320,8 +319,9 @@ class Inverse3:
         status = self._status
         for name, meaning in (("power_supply", "has no power"), ("ready", "is not ready")):
             if status.get(name) is False:
-                raise self._fault(
-                    f"the Inverse3 {self._identity} {meaning}; " + ("check Haply Hub" if opening else "force is off")
+                raise failed(
+                    self,
+                    f"the Inverse3 {self._identity} {meaning}; " + ("check Haply Hub" if opening else "force is off"),
                 )
 
     def _listen(self) -> None:
@@ -333,8 +333,8 @@ class Inverse3:
     def _waiting(self) -> DeviceReading:
         """Nothing came: late, or too late."""
         if time.monotonic() - self._asked >= self._limit:
-            raise self._fault(
-                f"the Inverse Service did not answer within {1e3 * self._limit:.0f} ms; is this machine too busy?"
+            raise failed(
+                self, f"the Inverse Service did not answer within {1e3 * self._limit:.0f} ms; is this machine too busy?"
             )
         self._listen()
         last = self._reading
@@ -348,7 +348,7 @@ class Inverse3:
         position, velocity = HAPLY_FRAME.place(state.position) - self._middle, HAPLY_FRAME.place(state.velocity)
         why = self._watch.fault(at, position, velocity)
         if why is not None:
-            raise self._fault(f"the Inverse3 {self._identity} {why}")
+            raise failed(self, f"the Inverse3 {self._identity} {why}")
         applied = HAPLY_FRAME.direction(state.force)
         flags = Flag(0)
         flags |= Flag.CALIBRATED if self._calibrated else flags
@@ -365,11 +365,6 @@ class Inverse3:
             orientation=None if state.orientation is None else HAPLY_FRAME.orientation(state.orientation),
         )
         return self._reading
-
-    def _fault(self, why: str) -> DeviceError:
-        """Takes the force away, and says why."""
-        self.stop()
-        return DeviceError(why)
 
 
 def _near(applied: Float, commanded: Float) -> bool:

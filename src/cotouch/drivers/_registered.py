@@ -56,10 +56,6 @@ def _present_force_dimension() -> Sequence[str]:
     return ()
 
 
-def _present_gamepad() -> Sequence[str]:
-    return gamepads()
-
-
 FORCE_DIMENSION = Driver(
     name="force_dimension",
     summary="Force Dimension omega, delta, sigma and lambda, and the Falcon, through the vendor's SDK",
@@ -102,7 +98,7 @@ GAMEPAD = Driver(
     spec=PASSIVE,
     options={"path": "its event file; else the first gamepad", "speed": "maximum speed of the point [m/s]; 0.2"},
     watchdog="The kernel ends its rumble when the program dies; a rumble lasts 0.1 s.",
-    present=_present_gamepad,
+    present=gamepads,
     tested="a stand-in for its event file; no pad",
 )
 """Gamepads."""

@@ -29,7 +29,7 @@ from cotouch.drivers._hd import (
     Hd,
 )
 from cotouch.drivers._rotation import quaternion_of
-from cotouch.drivers._watch import SampleWatch
+from cotouch.drivers._watch import SampleWatch, failed
 from cotouch.errors import DeviceError
 from cotouch.haptics import OPENHAPTICS_FRAME, DeviceReading, Flag
 
@@ -153,12 +153,13 @@ class Touch:
             if self._calibrated:
                 return
             if self._by_reset:
-                raise self._fault(
+                raise failed(
+                    self,
                     f"the {self._spec.name} is not calibrated, and takes the place where it is held meanwhile for its "
-                    "reset position; hold it there as its manual shows, and open it with the option reset=true"
+                    "reset position; hold it there as its manual shows, and open it with the option reset=true",
                 )
             if time.monotonic() > end:
-                raise self._fault(f"the {self._spec.name} is not calibrated; put its stylus into the inkwell")
+                raise failed(self, f"the {self._spec.name} is not calibrated; put its stylus into the inkwell")
             time.sleep(_POLL)
 
     def enable_force(self, on: bool = True) -> None:
@@ -182,7 +183,7 @@ class Touch:
         self._opened()
         torque = np.zeros(3) if torque is None else torque
         if not (np.isfinite(force).all() and np.isfinite(torque).all()):
-            raise self._fault(f"the {self._spec.name} was given a force that is not finite")
+            raise failed(self, f"the {self._spec.name} was given a force that is not finite")
         with self._met:
             self._force, self._torque, self._renewed = force.copy(), torque.copy(), time.monotonic()
             before = self._ticks
@@ -194,7 +195,7 @@ class Touch:
         if why is None and time.monotonic() - self._ticked > _LIMIT:
             why = f"the library of the {self._spec.name} no longer ticks; is its cable loose?"
         if why is not None or last is None:
-            raise self._fault(why or f"the {self._spec.name} gave no sample")
+            raise failed(self, why or f"the {self._spec.name} gave no sample")
         return replace(last, flags=last.flags | Flag.LATE | Flag.STALE) if late else last
 
     def stop(self) -> None:
@@ -306,16 +307,11 @@ class Touch:
             before = self._ticks
             done = self._met.wait_for(lambda: (self._job is None and self._ticks > before) or self._ended, _JOB)
         if self._why is not None or not done:
-            raise self._fault(self._why or f"the library of the {self._spec.name} does not tick; is it connected?")
+            raise failed(self, self._why or f"the library of the {self._spec.name} does not tick; is it connected?")
 
     def _opened(self) -> None:
         if self._hd is None:
             raise DeviceError(f"the {self._spec.name} is not open; open it first")
-
-    def _fault(self, why: str) -> DeviceError:
-        """Takes the force away, and says why."""
-        self.stop()
-        return DeviceError(why)
 
 
 def _share(wanted: Float, most: float) -> float:

@@ -1,14 +1,27 @@
-"""What nobody behind a driver can see: samples that stand still while the device moves."""
+"""Faults of devices: what nobody behind a driver can see, samples that stand still while the device moves."""
 
 import math
 from typing import final
 
 from cotouch.arrays import Float
+from cotouch.errors import DeviceError
+from cotouch.haptics import Device
 
 # A device that says it moves must show it within this time; well below the 100 ms within which force must be gone [s].
 PATIENCE = 0.04
 # Slower than this a device may report the same place for long: one step of the encoder, 0.05 mm, takes 5 ms [m/s].
 _MOVING = 0.01
+
+
+def failed(device: Device, why: str) -> DeviceError:
+    """Takes a device's force away; the error that says why.
+
+    Args:
+        device: that has a fault.
+        why: a sentence.
+    """
+    device.stop()
+    return DeviceError(why)
 
 
 @final

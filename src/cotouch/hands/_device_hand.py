@@ -1,7 +1,7 @@
 """Hands that hold real devices: the proxy of each is a tool of the slot, round or rigid, or a node that it holds."""
 
 from collections.abc import Sequence
-from typing import final
+from typing import NamedTuple, final
 
 import numpy as np
 
@@ -9,16 +9,27 @@ from cotouch.arrays import Array, Float
 from cotouch.body import Body
 from cotouch.coupling import EnergyMessage
 from cotouch.errors import DeviceError
-from cotouch.hands._grasped import Grasped, GraspedBall, GraspedNode, more
+from cotouch.hands._grasped import Grasped, GraspedBall, GraspedNode
 from cotouch.hands._grasped_tool import GraspedTool
 from cotouch.hands._twisted import Twisted
-from cotouch.haptics import LEAST_SCALE, MOST_SCALE, CouplingChoice, ProxyEnd, ServoLink, ServoReport, Vector
+from cotouch.haptics import (
+    LEAST_SCALE,
+    MOST_SCALE,
+    ZERO,
+    CouplingChoice,
+    ProxyEnd,
+    ServoLink,
+    ServoReport,
+    Vector,
+    less,
+    multiple,
+    plus,
+)
 from cotouch.mechanics import Model, idle_ports, own_ports
 from cotouch.members import Slot, SlotHand, coupling_of_slot, device_tools, handles_of, no_ports
 from cotouch.observers import size_of
 from cotouch.scenario import HandTable, RigidToolTable, Scenario, ToolTable, ports_of, with_tools
 
-_NOWHERE: Vector = (0.0, 0.0, 0.0)
 # A ball that touches, where the session's file has no tool for the slot: so much of the body's largest extent, within
 # these bounds [m]; light beside a hand, stiffer than the device's spring.
 _FRACTION, _SMALLEST, _LARGEST = 0.06, 0.002, 0.02
@@ -27,6 +38,18 @@ _MASS, _STIFFNESS = 0.05, 1000.0
 _BEYOND = 1.25
 # A workspace that is not known [m].
 _WORKSPACE = 0.1
+
+
+class DeviceWork(NamedTuple):
+    """What a device's coupling has done to the copy so far.
+
+    Attributes:
+        place: where it moved its proxy [J].
+        turning: where it turned it; None: the device renders no torques, or its proxy does not turn [J].
+    """
+
+    place: float
+    turning: float | None
 
 
 @final
@@ -99,6 +122,11 @@ class DeviceHand(SlotHand):
         for hold in self._holds:
             hold.after()
 
+    @property
+    def work(self) -> tuple[DeviceWork, ...]:
+        """What each device has done, in their order."""
+        return tuple(hold.work for hold in self._holds if isinstance(hold, _Hold))
+
     def show(self, fields: dict[str, Array]) -> None:
         """Writes into a mailbox's fields where each device is, what it holds or pushes with, and what pulls that.
 
@@ -167,7 +195,7 @@ class _Unheld:
 
     def before(self, T: float) -> None:
         """Leaves it alone."""
-        self.grasped.drive(0.0, 1.0, self.grasped.place(), _NOWHERE)
+        self.grasped.drive(0.0, 1.0, self.grasped.place(), ZERO)
         self.grasped.turn(None, T)
 
     def after(self) -> None:
@@ -194,30 +222,34 @@ class _Hold:
         self._end = ProxyEnd(link.couple(below))
         self._scale = _scale(link, below, body)
         self._origin: Vector | None = None
-        self._before = _NOWHERE
+        self._before = ZERO
         self._message = EnergyMessage()
         self._twisted: Twisted | None = None
         if isinstance(grasped, GraspedTool) and link.spec.torque > 0.0:
             turning = link.couple_turning(below)
             self._twisted = None if turning is None else Twisted(grasped, turning)
 
+    @property
+    def work(self) -> DeviceWork:
+        return DeviceWork(self._end.work, None if self._twisted is None else self._twisted.end.work)
+
     def before(self, T: float) -> None:
         scale = self._scale
-        place = self._before = _times(1.0 / scale, self.grasped.place())
+        place = self._before = multiple(1.0 / scale, self.grasped.place())
         report: ServoReport | None = self._link.read()
-        desired, rate = None, _NOWHERE
+        desired, rate = None, ZERO
         if report is not None:
             if self._origin is None:
-                self._origin = _less(place, report.place)
-            desired, rate, self._message = more(report.place, self._origin), report.rate, report.message
-        self.target = None if desired is None else _times(scale, desired)
+                self._origin = less(place, report.place)
+            desired, rate, self._message = plus(report.place, self._origin), report.rate, report.message
+        self.target = None if desired is None else multiple(scale, desired)
         pull = self._end.pull(place, desired, rate, self._message, T)
         fraction = 1.0 / (scale * scale)
         self.grasped.drive(
             fraction * pull.stiffness,
             fraction * pull.damping,
-            _times(scale, pull.target),
-            _times(1.0 / scale, pull.push),
+            multiple(scale, pull.target),
+            multiple(1.0 / scale, pull.push),
         )
         if self._twisted is None:
             self.grasped.turn(None if report is None else report.orientation, T)
@@ -225,10 +257,10 @@ class _Hold:
             self._twisted.before(report, T)
 
     def after(self) -> None:
-        place = _times(1.0 / self._scale, self.grasped.place())
-        self._end.settle(_times(self._scale, self.grasped.force()), _less(place, self._before))
+        place = multiple(1.0 / self._scale, self.grasped.place())
+        self._end.settle(multiple(self._scale, self.grasped.force()), less(place, self._before))
         there, message, twisted = (
-            None if self._origin is None else _less(place, self._origin),
+            None if self._origin is None else less(place, self._origin),
             self._end.message,
             self._twisted,
         )
@@ -327,11 +359,3 @@ def _nodes(scenario: Scenario, body: Body, slot: int, wanted: list[int]) -> list
         )
     rest = body.rest[: body.shared]
     return [1 + int(np.argmin(np.linalg.norm(rest - rest.mean(axis=0), axis=1)))]
-
-
-def _less(a: Vector, b: Vector) -> Vector:
-    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
-
-
-def _times(fraction: float, a: Vector) -> Vector:
-    return (fraction * a[0], fraction * a[1], fraction * a[2])

@@ -5,10 +5,8 @@ from typing import Protocol, final
 
 from cotouch.arrays import Array, Float
 from cotouch.hands._commanded_hand import write_hand
-from cotouch.haptics import Quaternion, Vector
+from cotouch.haptics import ZERO, Quaternion, Vector, plus
 from cotouch.mechanics import Ports, Tools
-
-_NOWHERE: Vector = (0.0, 0.0, 0.0)
 
 
 class Grasped(Protocol):
@@ -131,7 +129,7 @@ class GraspedNode:
     def place(self) -> Vector:
         """Displacement of the node [m]."""
         if self._position is None:
-            return _NOWHERE
+            return ZERO
         ports, position = self._ports, self._position
         modal = ports.shape.shape[0] > 0
         rows = [ports.shape[p] @ position if modal else position[ports.row[p]] for p in self._own_ports]
@@ -173,23 +171,13 @@ class GraspedNode:
             target: where it is pulled to [m].
         """
         place, axes = self.place(), self._axes
-        there, here = more(self._rest, target or place), more(self._rest, place)
+        there, here = plus(self._rest, target or place), plus(self._rest, place)
         write_hand(fields, k, "hold", self._node, there[:axes], here[:axes], self.force()[:axes])
 
     def _spread(self, rows: list[Float]) -> Vector:
         values = rows[0][: self._axes].tolist() if len(rows) == 1 else [float(row[0]) for row in rows]
         x, y, z = (*values, 0.0, 0.0)[:3]
         return x, y, z
-
-
-def more(a: Vector, b: Vector) -> Vector:
-    """Sum [m].
-
-    Args:
-        a: one.
-        b: the other.
-    """
-    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
 
 
 def vector(row: Float) -> Vector:

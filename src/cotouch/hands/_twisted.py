@@ -4,9 +4,7 @@ from typing import final
 
 from cotouch.coupling import EnergyMessage
 from cotouch.hands._grasped_tool import GraspedTool
-from cotouch.haptics import EndOptions, Quaternion, ServoReport, TurningProxyEnd, Vector, back, product
-
-_STILL: Vector = (0.0, 0.0, 0.0)
+from cotouch.haptics import ZERO, EndOptions, Quaternion, ServoReport, TurningProxyEnd, back, product
 
 
 @final
@@ -38,7 +36,7 @@ class Twisted:
             report: the newest of the device; None: nothing is known.
             T: length of the step [s].
         """
-        here, goal, spin = self._tool.orientation(), None, _STILL
+        here, goal, spin = self._tool.orientation(), None, ZERO
         if report is not None and report.orientation is not None:
             if self._frame is None:
                 self._frame = product(back(report.orientation), here)

@@ -15,6 +15,7 @@ from cotouch.haptics._frames import (
 )
 from cotouch.haptics._limits import SafetyLimits
 from cotouch.haptics._link import ServoLink
+from cotouch.haptics._port import less, plus
 from cotouch.haptics._quaternions import UNTURNED, Quaternion, back, product, turn_of, vector_of
 from cotouch.haptics._registry import (
     GROUP,
@@ -27,11 +28,13 @@ from cotouch.haptics._registry import (
     open_device,
 )
 from cotouch.haptics._safety import (
+    ZERO,
     Cause,
     Heat,
     Observation,
     SafetyChain,
     Vector,
+    multiple,
     norm,
     reasons,
     saturate,
@@ -59,6 +62,7 @@ __all__ = [
     "OPENXR_FRAME",
     "SIMULATED",
     "UNTURNED",
+    "ZERO",
     "Cause",
     "CheckResult",
     "CouplingChoice",
@@ -98,9 +102,12 @@ __all__ = [
     "coupling_of",
     "device_names",
     "driver",
+    "less",
     "make_device",
+    "multiple",
     "norm",
     "open_device",
+    "plus",
     "priority_refused",
     "product",
     "reasons",

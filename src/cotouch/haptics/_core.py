@@ -12,7 +12,7 @@ from cotouch.haptics._ends import DeviceEnd, EndOptions, checked
 from cotouch.haptics._limits import SafetyLimits
 from cotouch.haptics._measured import MeasuredMotion
 from cotouch.haptics._quaternions import Quaternion, quaternion
-from cotouch.haptics._safety import NO_CAUSE, ZERO, Cause, Observation, SafetyChain, Vector, norm, scaled
+from cotouch.haptics._safety import NO_CAUSE, ZERO, Cause, Observation, SafetyChain, Vector, multiple, norm
 from cotouch.haptics._turning import TurningEnd, at_arm
 from cotouch.haptics._virtual import checked_virtual
 
@@ -268,7 +268,7 @@ class ServoCore:
             unwatched=unwatched,
         )
         fraction = self.chain.limit(wanted, seen)
-        self._force = scaled(fraction, wanted)
+        self._force = multiple(fraction, wanted)
         causes = self.chain.causes | self._limit_torque(seen)
         return ServoReport(
             time=reading.time,
@@ -316,7 +316,7 @@ class ServoCore:
         if turning is None or chain is None:
             return NO_CAUSE
         chain.latched, chain.broken = self.chain.latched, self.chain.broken
-        turning.force = scaled(chain.limit(turning.wanted, seen), turning.wanted)
+        turning.force = multiple(chain.limit(turning.wanted, seen), turning.wanted)
         return chain.causes
 
     def _buttons(self, buttons: int, speed: float, now: float) -> None:

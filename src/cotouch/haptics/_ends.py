@@ -12,7 +12,7 @@ from cotouch.coupling import END, EnergyMessage, HeldForce, book_end, end_row, h
 from cotouch.device import DeviceSpec, installed_coupling
 from cotouch.errors import DeviceError
 from cotouch.haptics._port import MotorPort, Rest, Wall, less, plus
-from cotouch.haptics._safety import ZERO, Vector, dot, norm, scaled
+from cotouch.haptics._safety import ZERO, Vector, dot, multiple, norm
 
 # Over which a servo measures the tip's velocity [s]: an encoder of 0.05 mm then tells 5 mm/s apart.
 WINDOW = 0.01
@@ -216,7 +216,7 @@ class DeviceEnd(_End):
         self._coming = self._wall.energy + self.number(END.held)
         if self.number(END.energy) < -self.options.reserve:
             return ZERO
-        return plus(plus(wall, plus(scaled(-brake, rate), push)), scaled(spring, stretch))
+        return plus(plus(wall, plus(multiple(-brake, rate), push)), multiple(spring, stretch))
 
     def bound(self, speed: float, period: float, force: float) -> float:
         """What can at most have come out of the motors beyond all that was given and the initial energy [J].

@@ -22,11 +22,12 @@ from collections.abc import Callable
 from dataclasses import asdict
 from typing import final
 
-from cotouch.haptics._mailboxes import Looks, ReportReader
+from cotouch.haptics._mailboxes import GUARD, GUARD_FIELDS, ReportReader
 from cotouch.haptics._registry import Driver, driver, make_device
 from cotouch.haptics._safety import FOR_GOOD
 from cotouch.haptics._servo import STILL
 from cotouch.haptics._settings import ServoSettings
+from cotouch.mailbox import MailboxWriter
 from cotouch.pacing import prepare_process
 
 # How often it looks [s]; how often it halts a servo from outside that still stands still [s].
@@ -83,7 +84,8 @@ class ServoWatch:
             chosen: the driver of its device.
         """
         self._servo, self._settings, self._chosen = servo, settings, chosen
-        self._reports, self._looks = ReportReader(settings.folder), Looks(settings.folder)
+        self._reports = ReportReader(settings.folder)
+        self._looks = MailboxWriter(settings.folder / GUARD, GUARD_FIELDS)  # that it looks
         self._last_tick: float | None = None  # when the servo ticked last; None: it never had force
         self._safe = False  # whether it said that it stopped its device
         self._vain = 0  # looks since then
@@ -97,7 +99,7 @@ class ServoWatch:
         """
         end: float | None = None
         while (code := self._servo.poll()) is None:
-            self._looks.look()
+            self._looks.publish()
             if end is None and unwanted():
                 self._servo.terminate()
                 end = time.monotonic() + _PATIENCE

@@ -21,9 +21,9 @@ from cotouch.haptics._mailboxes import OrderWriter, ReportReader
 from cotouch.haptics._quaternions import Quaternion
 from cotouch.haptics._registry import DeviceChoice, driver
 from cotouch.haptics._safety import NO_CAUSE, Cause, Vector
-from cotouch.haptics._settings import ServoSettings, spec_from
+from cotouch.haptics._settings import ServoSettings
 from cotouch.haptics._warning_log import WarningLog, priority_refused
-from cotouch.processes import MemoryFolder
+from cotouch.processes import ONE_THREAD, MemoryFolder
 
 # The servo is started before the guardian loads what it needs itself, so that both load at the same time.
 GUARDIAN = """
@@ -73,24 +73,15 @@ class ServoLink:
         self,
         choice: DeviceChoice,
         *,
-        stiffness: float | None = None,
-        damping: float | None = None,
         limits: Mapping[str, float] | None = None,
-        rate: float | None = None,
-        allow_motion: bool = False,
         real_time: int | None = 20,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         """Starts the guardian, the servo and the device, and waits until it is held.
 
         Args:
-            choice: which device; it may say something of the coupling, too (`coupling=virtual,friction=0.8`), which
-                goes before the arguments.
-            stiffness: of the coupling; None: see `CouplingChoice` [N/m].
-            damping: likewise [Ns/m].
+            choice: which device; it may say something of the coupling, too (`coupling=virtual,friction=0.8`).
             limits: safety limits other than the default, by name.
-            rate: of the servo; None: the device's, at most 1 kHz [Hz].
-            allow_motion: whether the device may move by itself to calibrate.
             real_time: priority asked for; None: none.
             clock: monotonic, the same in all processes [s].
 
@@ -98,8 +89,7 @@ class ServoLink:
             DeviceError: there is no such device, it cannot be opened or calibrated, or a limit is beyond what is safe.
         """
         driver(choice.name)
-        choice, said = coupling_of(choice)
-        self.said = said.over(CouplingChoice(stiffness=stiffness, damping=damping))
+        choice, self.said = coupling_of(choice)
         self._clock = clock
         self._folder = MemoryFolder()
         self._process: subprocess.Popen[bytes] | None = None
@@ -120,15 +110,13 @@ class ServoLink:
             folder=self._folder.path,
             coupling=self.said,
             limits=dict(limits or {}),
-            rate=rate,
-            allow_motion=allow_motion,
             real_time=real_time,
         )
         try:
             self._orders = OrderWriter(self._folder.path)
             self._reports = ReportReader(self._folder.path)
             said = self._start(settings)
-            self.spec: DeviceSpec = spec_from(said["spec"])
+            self.spec: DeviceSpec = DeviceSpec(**said["spec"])
             self.process |= said["process"]
             self._priority(said["process"])
             self.servo = said["pid"]
@@ -270,13 +258,12 @@ class ServoLink:
         self._folder.close()
 
     def _start(self, settings: ServoSettings) -> _Ready:
-        threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
         process = self._process = subprocess.Popen(  # noqa: S603
             [sys.executable, "-c", GUARDIAN],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             start_new_session=True,
-            env={**os.environ, **threads},
+            env={**os.environ, **ONE_THREAD},
         )
         assert process.stdin is not None
         process.stdin.write(settings.line().encode())

@@ -5,7 +5,7 @@ from typing import final
 
 from cotouch.haptics._ends import WINDOW, DeviceEnd
 from cotouch.haptics._port import less
-from cotouch.haptics._safety import ZERO, Vector, dot, norm, scaled
+from cotouch.haptics._safety import ZERO, Vector, dot, multiple, norm
 
 # The safety chain's speed is that over this [s]: shorter, and one step of an encoder looks quick; longer, and a device
 # that is flung away has been so for long.
@@ -89,7 +89,7 @@ class MeasuredMotion:
         if len(path) < 2:
             return 0.0
         then, start, _ = path[0]
-        self.rate = scaled(1.0 / (time - then), less(taken, start))
+        self.rate = multiple(1.0 / (time - then), less(taken, start))
         for recent, _, there in reversed(path):
             if time - recent >= _QUICK:
                 return norm(less(place, there)) / (time - recent)

@@ -6,7 +6,7 @@ from typing import NamedTuple, final
 import numpy as np
 
 from cotouch.coupling import REST_DRIFT, REST_FIELDS, modulate, place_at_rest, rest_fraction
-from cotouch.haptics._safety import ZERO, Vector, dot, norm, scaled
+from cotouch.haptics._safety import ZERO, Vector, dot, multiple, norm
 
 
 class Did(NamedTuple):
@@ -133,7 +133,7 @@ class Wall:
         potential = 0.5 * self.stiffness * deep * deep
         part, _, _ = modulate(potential, available, inf)
         self.energy = part * part * potential
-        return scaled(-part * self.stiffness * deep / out, place)
+        return multiple(-part * self.stiffness * deep / out, place)
 
 
 def plus(a: Vector, b: Vector) -> Vector:

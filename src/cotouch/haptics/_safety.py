@@ -111,7 +111,7 @@ def dot(a: Vector, b: Vector) -> float:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-def scaled(fraction: float, vector: Vector) -> Vector:
+def multiple(fraction: float, vector: Vector) -> Vector:
     """A multiple; a share of 0 gives 0 whatever the vector is.
 
     Args:
@@ -314,11 +314,11 @@ class SafetyChain:
         if kept > most:
             causes |= Cause.SATURATED if limits.force <= self._heat.limit else Cause.HOT
             fraction *= saturate(kept, most)
-        force = scaled(fraction, wanted)
+        force = multiple(fraction, wanted)
         rise = slew(force, self._before, limits.force * min(1.0, T / limits.rise))
         if rise < 1.0:
             causes |= Cause.SLEW
             fraction *= rise
-            force = scaled(rise, force)
+            force = multiple(rise, force)
         self._before, self.causes = force, causes
         return fraction

@@ -163,9 +163,7 @@ class Servo:
             self._on = False
 
     def _end(self) -> bool:
-        self._device.stop()
-        self._force[:] = self._torque[:] = 0.0
-        self.say()
+        self.stop()
         return False
 
     def _exchange_both(self, force: Float) -> DeviceReading:
@@ -219,7 +217,7 @@ def main() -> int:
     below = _hung_up(sys.stdout.fileno())
     guard = Watched(settings.folder, time.monotonic)
     try:
-        device.calibrate(allow_motion=settings.allow_motion)
+        device.calibrate(allow_motion=False)
         servo = Servo(device, settings, watched=watched, attended=lambda: not below(), unwatched=guard.silence)
         warm(device.spec, settings)
         with prepare_process(real_time=settings.real_time) as state:

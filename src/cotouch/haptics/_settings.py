@@ -14,7 +14,7 @@ from cotouch.haptics._limits import SafetyLimits
 from cotouch.haptics._registry import DeviceChoice, Option
 from cotouch.haptics._turning import ARM, at_arm
 
-# A servo that is told nothing else runs at the device's rate, but not above this [Hz].
+# A servo runs at the device's rate, but not above this [Hz].
 MOST_RATE = 1000.0
 # What is said of them counts for torques as well; a speed is that at the arm.
 _ALIKE = frozenset({"rise", "ramp", "fade_after", "zero_after", "speed", "heat"})
@@ -30,8 +30,6 @@ class ServoSettings:
         folder: private one of the mailboxes.
         coupling: what was said of it.
         limits: safety limits other than the default, by name; see `SafetyLimits`; and `torque` [Nm].
-        rate: of the servo; None: the device's, at most 1 kHz [Hz].
-        allow_motion: whether the device may move by itself to calibrate.
         real_time: priority under SCHED_FIFO where it is permitted; None: do not ask.
     """
 
@@ -39,8 +37,6 @@ class ServoSettings:
     folder: Path
     coupling: CouplingChoice = field(default_factory=CouplingChoice)
     limits: dict[str, float] = field(default_factory=dict[str, float])
-    rate: float | None = None
-    allow_motion: bool = False
     real_time: int | None = 20
 
     def line(self) -> str:
@@ -113,12 +109,7 @@ class ServoSettings:
         Raises:
             DeviceError: the rate is out of range.
         """
-        rate = min(spec.rate, MOST_RATE) if self.rate is None else self.rate
+        rate = min(spec.rate, MOST_RATE)
         if not 100.0 <= rate <= 4000.0:
             raise DeviceError(f"the servo's rate is {rate:g} Hz; it must be from 100 to 4000 Hz")
         return 1.0 / rate
-
-
-def spec_from(values: dict[str, Any]) -> DeviceSpec:
-    """A device's limits from what was said of them."""
-    return DeviceSpec(**values)

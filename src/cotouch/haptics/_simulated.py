@@ -23,7 +23,7 @@ from cotouch.device import (
 from cotouch.errors import DeviceError
 from cotouch.haptics._device import DeviceReading, Flag
 from cotouch.haptics._registry import Driver
-from cotouch.haptics._safety import ZERO, norm, saturate, scaled
+from cotouch.haptics._safety import ZERO, multiple, norm, saturate
 from cotouch.haptics._wrist import ROUND, Wrist
 
 VARIANTS = ("phantom", "cartesian", "touch")
@@ -217,7 +217,7 @@ class SimulatedOnClock:
         far = norm((x, y, z))
         if not math.isfinite(far):
             raise DeviceError(f"torque is {[x, y, z]} Nm; it must be finite")
-        wrist.torque = scaled(saturate(far, self.spec.torque), (x, y, z))
+        wrist.torque = multiple(saturate(far, self.spec.torque), (x, y, z))
         return np.array(wrist.orientation)
 
     def _opened(self) -> SimulatedDevice:

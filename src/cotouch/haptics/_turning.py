@@ -19,7 +19,7 @@ from cotouch.haptics._ends import DeviceEnd, EndOptions, ProxyEnd
 from cotouch.haptics._measured import MeasuredMotion
 from cotouch.haptics._port import less, plus
 from cotouch.haptics._quaternions import Quaternion, back, product, turn_of, vector_of, way_back
-from cotouch.haptics._safety import ZERO, Vector, scaled
+from cotouch.haptics._safety import ZERO, Vector, multiple
 
 # Radius at which angles are arcs, and torques forces [m].
 ARM = 0.05
@@ -91,9 +91,9 @@ class TurningEnd:
             way = plus(way, (ARM * x, ARM * y, ARM * z))
         self._measured = orientation
         self.seen.observe(way, T, self.force, self.end)
-        self.end.measure(way, self.force, None if said is None else scaled(1.0 / ARM, said), since)
+        self.end.measure(way, self.force, None if said is None else multiple(1.0 / ARM, said), since)
         taken = self.end.place or way
-        self.orientation = product(turn_of(scaled(1.0 / ARM, less(taken, way))), orientation)
+        self.orientation = product(turn_of(multiple(1.0 / ARM, less(taken, way))), orientation)
         return self.seen.quick(time, taken, way)
 
     def decide(self, goal: Quaternion | None, message: EnergyMessage, T: float) -> None:
@@ -107,18 +107,18 @@ class TurningEnd:
         here, place = self.orientation, self.end.place
         assert here is not None, "measure first"
         assert place is not None, "measure first"
-        desired = None if goal is None else plus(place, scaled(ARM, way_back(goal, here)))
+        desired = None if goal is None else plus(place, multiple(ARM, way_back(goal, here)))
         self.wanted = self.end.decide(desired, self.seen.rate, message, T)
 
     @property
     def torque(self) -> Vector:
         """That acts next [Nm]."""
-        return scaled(ARM, self.force)
+        return multiple(ARM, self.force)
 
     @property
     def spin(self) -> Vector:
         """Angular velocity over the window [rad/s]."""
-        return scaled(1.0 / ARM, self.seen.rate)
+        return multiple(1.0 / ARM, self.seen.rate)
 
 
 class Twist(NamedTuple):
@@ -151,12 +151,12 @@ class TurningProxyEnd(ProxyEnd):
             message: of the device's end.
             T: length of the step [s].
         """
-        gap = None if goal is None else scaled(ARM, way_back(goal, here))
-        pull = self.pull(ZERO, gap, scaled(ARM, spin), message, T)
+        gap = None if goal is None else multiple(ARM, way_back(goal, here))
+        pull = self.pull(ZERO, gap, multiple(ARM, spin), message, T)
         square = ARM * ARM
         return Twist(
             stiffness=square * pull.stiffness,
             damping=square * pull.damping,
-            turn=scaled(1.0 / ARM, pull.target),
-            push=scaled(ARM, pull.push),
+            turn=multiple(1.0 / ARM, pull.target),
+            push=multiple(ARM, pull.push),
         )

@@ -6,7 +6,7 @@ from typing import final
 
 from cotouch.haptics._port import less, plus
 from cotouch.haptics._quaternions import UNTURNED, Quaternion, back, product, turn_of, vector_of
-from cotouch.haptics._safety import ZERO, Vector, dot, scaled
+from cotouch.haptics._safety import ZERO, Vector, dot, multiple
 
 # A ball-shaped handle, so that its angular momentum is along its spin [kg m²]; assumed.
 _INERTIA = 1e-4
@@ -74,7 +74,7 @@ class Wrist:
         x, y, z = led
         pushed = plus(self.torque, (grip * x, grip * y, grip * z))
         gain = T / (_INERTIA + T * damping + T * T * grip)
-        self.spin = plus(self.spin, scaled(gain, less(pushed, scaled(damping + T * grip, self.spin))))
-        turned = scaled(T, self.spin)
+        self.spin = plus(self.spin, multiple(gain, less(pushed, multiple(damping + T * grip, self.spin))))
+        turned = multiple(T, self.spin)
         self.work += dot(self.torque, turned)
         self.orientation = product(turn_of(turned), self.orientation)

@@ -15,7 +15,7 @@ from cotouch.laboratory._cells import Progress, Store, cells, contents_of, sourc
 from cotouch.laboratory._ideal import ideal
 from cotouch.laboratory._impedance import impedance
 from cotouch.laboratory._replicas._kinds import REPLICAS
-from cotouch.laboratory._score import MEASURES, dangerous, measures_of, sizes
+from cotouch.laboratory._score import MEASURES, dangerous, measures_of, message_size, promises, said_of
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
 from cotouch.laboratory._tasks import Task
 from cotouch.laboratory._tune import tune
@@ -251,23 +251,22 @@ def danger(cell: MapCell) -> Mapped:
         cell: `study`, `setting`, and the delays.
     """
     study, setting = Study.make(**cell["study"]), cell["setting"]
-    risky: list[bool] = []
-    costs: list[float] = []
-    restless: list[float] = []
+    found: list[tuple[bool, float, float]] = []
     for delay in cell["delay"]:
         network = NetworkTable(name="map", delay=delay)
         here = study.model_copy(update={"networks": [network]})
         try:
-            risky.append(dangerous(here, here.laws[0], network, 2, here.hands[0], setting))
+            risky = dangerous(here, here.laws[0], network, 2, here.hands[0], setting)
             prepared = drawn(here, 0, setting)
-            values = [_one(here, prepared, here.hands[0], task, 0)["cost"] for task in here.tasks]
-            costs.append(float(np.mean(values)))
-            restless.append(_one(here, prepared, here.hands[0], "hold", 0)["restless"])
+            cost = float(np.mean([_one(here, prepared, here.hands[0], task, 0)["cost"] for task in here.tasks]))
+            found.append((risky, cost, _one(here, prepared, here.hands[0], "hold", 0)["restless"]))
         except CotouchError:
-            risky.append(True)
-            costs.append(float("inf"))
-            restless.append(float("inf"))
-    return {"dangerous": risky, "cost": costs, "restless": restless}
+            found.append((True, float("inf"), float("inf")))
+    return {
+        "dangerous": [risky for risky, _, _ in found],
+        "cost": [cost for _, cost, _ in found],
+        "restless": [restless for _, _, restless in found],
+    }
 
 
 def law_time(study: Study, law: LawTable) -> float:
@@ -334,16 +333,21 @@ def _gathered(
         ]
         for law in laws
     ]
-    facts, taken = [sizes(study, law) for law in study.laws], [law_time(study, law) for law in study.laws]
+    said, body = [said_of(law) for law in study.laws], study.build_body()
+    size = [message_size(law, body.nodes * body.dimension) for law in study.laws]
     data |= {
         "dangerous": ((*axes, "hand"), risky, {"long_name": "1 if a push does not die away"}),
         "loose": (axes, untied, {"long_name": "1 if copies that nobody holds drive each other apart"}),
         "setting": (axes[:3], np.array(settings, dtype=np.str_)),
-        "bytes": ("law", np.array([float(fact["bytes"]) for fact in facts]), {"units": "B"}),
-        "promises": ("law", np.array([float(fact["promises"]) for fact in facts])),
-        "sends": ("law", np.array([", ".join(fact["sends"]) for fact in facts], dtype=np.str_)),
-        "source": ("law", np.array([fact["source"] for fact in facts], dtype=np.str_)),
-        "time": ("law", np.array(taken), {"units": "s", "long_name": "of an end and step, beyond a spring's"}),
+        "bytes": ("law", np.array(size, dtype=np.float64), {"units": "B"}),
+        "promises": ("law", np.array([float(promises(law)) for law in study.laws])),
+        "sends": ("law", np.array([", ".join(sends) for sends, _ in said], dtype=np.str_)),
+        "source": ("law", np.array([source for _, source in said], dtype=np.str_)),
+        "time": (
+            "law",
+            np.array([law_time(study, law) for law in study.laws]),
+            {"units": "s", "long_name": "of an end and step, beyond a spring's"},
+        ),
     }
     coordinates: dict[str, object] = {
         "law": laws,

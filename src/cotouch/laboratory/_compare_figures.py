@@ -57,7 +57,7 @@ def maps(data: "xr.Dataset") -> "Figure":
             shown[-1].tick_params(labelbottom=True)
     assert shades is not None  # a study has laws
     bar = figure.colorbar(shades, ax=panels, shrink=0.7, aspect=30, pad=0.01)
-    bar.set_label("J")
+    bar.set_label("cost")
     bar.outline.set_visible(False)
     return figure
 

@@ -47,7 +47,7 @@ def write_report(data: "xr.Dataset", path: Path) -> Path:
         sections = [_losses(data, study), *_costs(data, study), _details(data, study)]
         if "map_cost" in data:
             sections.append(_maps(data))
-        sections += [*_fronts(data, study), _price(data), _method(data, study)]
+        sections += [*_fronts(data, study), _price(data, study), _method(data, study)]
     footer = f"cotouch {escape(data.attrs['version'])}. All numbers are in results.nc beside this page."
     html = page(title=study.title, lead=_lead(data, study), sections=sections, footer=footer)
     write(path, html.encode("utf-8"), "report")
@@ -86,7 +86,7 @@ def _lead(data: "xr.Dataset", study: Study) -> str:
 <p class="lede">Users in different places hold one object; a law on each link keeps their copies together. Here every
 law is tuned by the same search, meets the same networks, tasks and hands, and is measured against one copy that all
 hands hold without any delay.</p>
-<p>The cost is <span class="math">J = position error / 10 mm + force error / ideal force</span>, the mean over
+<p>The cost is <span class="math">position error / 10 mm + force error / ideal force</span>, the mean over
 {data.sizes["task"]} tasks. The darker a cell, the more people notice; {_legend()}.</p>
 <div class="cards">{boxes}</div>"""
 
@@ -144,7 +144,7 @@ def _losses(data: "xr.Dataset", study: Study) -> Section:
             f"<p>Cases in which a law that is not dangerous there costs less than <b>{escape(own)}</b>, draw by draw, "
             f"at 95 %.{more}</p>"
             + table(
-                ["network", "users", "task", "hand", f"J of {escape(own)}", "better", "its J", "ratio"],
+                ["network", "users", "task", "hand", f"cost of {escape(own)}", "better", "its cost", "ratio"],
                 rows,
                 text=(0, 2, 3, 5),
             )
@@ -189,8 +189,8 @@ def _costs(data: "xr.Dataset", study: Study) -> list[Section]:
             Section(
                 anchor=f"cost-{users}",
                 title=f"Cost with {users} users",
-                body=f"<p>J with its 95 % interval; below it the larger of the errors of position and force, in "
-                f"multiples of what is noticed, and J with hands {study.stiffer:g} times stiffer.</p>"
+                body=f"<p>Cost with its 95 % interval; below it the larger of the errors of position and force, in "
+                f"multiples of what is noticed, and cost with hands {study.stiffer:g} times stiffer.</p>"
                 + table(head, rows, kind="dense"),
             )
         )
@@ -301,8 +301,8 @@ def _fronts(data: "xr.Dataset", study: Study) -> list[Section]:
     return [Section(anchor="fronts", title="Trade-offs", body=body)] if body else []
 
 
-def _price(data: "xr.Dataset") -> Section:
-    rate = 1.0 / Study.make(**json.loads(data.attrs["study"])).period
+def _price(data: "xr.Dataset", study: Study) -> Section:
+    rate = 1.0 / study.period
     rows = [
         [
             escape(law),

@@ -15,7 +15,7 @@ from cotouch.laboratory._study import Study
 from cotouch.laboratory._tasks import Hands
 from cotouch.network import Network
 from cotouch.scenario import Scenario
-from cotouch.simulation import Outcome, Prepared, prepare, run_batch
+from cotouch.simulation import Outcome, Prepared, hand_forces, prepare, run_batch
 
 # Ideals that are kept, because every law is compared with the same ones [bytes].
 _ROOM = 256 * 2**20
@@ -99,11 +99,5 @@ def forces(prepared: Prepared, outcome: Outcome) -> Float:
         outcome: with all steps recorded; steps that not every user took are left out.
     """
     steps = int(outcome.taken.min())
-    result = np.zeros((prepared.ports.shape[0], steps, outcome.record.force.shape[-1]))
-    for hand, ports in enumerate(prepared.ports):
-        for axis, port in enumerate(ports):
-            if ports.size == 1:
-                result[hand] = outcome.record.force[port, 1 : steps + 1]
-            else:
-                result[hand, :, axis if axis < result.shape[2] else 0] = outcome.record.force[port, 1 : steps + 1, 0]
-    return result
+    force = outcome.record.force
+    return hand_forces(prepared, force, force.shape[2])[:, 1 : steps + 1].copy()

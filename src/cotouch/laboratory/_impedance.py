@@ -15,7 +15,7 @@ from cotouch.interrupt import interruptible
 from cotouch.laboratory._cells import many
 from cotouch.laws import Tone
 from cotouch.scenario import Scenario
-from cotouch.simulation import Prepared, facts_of, given_law, prepare, run_prepared
+from cotouch.simulation import Prepared, facts_of, given_law, hand_forces, prepare, run_prepared
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -136,7 +136,7 @@ def _predicted(prepared: Prepared, user: int, node: int, axis: int, tones: Float
     wide = rows // body.nodes
     # A sample is of mid-step, and its force acts at mid-step in the mean.
     delay = np.zeros((count, count))
-    for s, (i, j) in enumerate(zip(slots.receiver, slots.sender, strict=True)):
+    for s, (i, j) in enumerate(slots.pairs):
         heard = np.flatnonzero(timing.used[s, : timing.count[i]] >= 0)
         delay[i, j] = float((timing.age[s, heard] - 0.5 * timing.length[i, heard]).mean()) if heard.size else 0.0
     hands = [np.zeros((2, rows)) for _ in range(count)]
@@ -149,7 +149,7 @@ def _predicted(prepared: Prepared, user: int, node: int, axis: int, tones: Float
     for index, s in enumerate(2j * np.pi * tones):
         own = local.astype(np.complex128)
         between = np.zeros((count, count), dtype=np.complex128)
-        for slot, (i, j) in enumerate(zip(slots.receiver, slots.sender, strict=True)):
+        for slot, (i, j) in enumerate(slots.pairs):
             tone = Tone(
                 s=complex(s),
                 spring=facts[slot].spring,
@@ -185,9 +185,8 @@ def _measured(still: Scenario, user: int, node: int, axis: int, tone: float) -> 
     outcome = run_prepared(prepared)
     i, n = user - 1, int(outcome.taken[user - 1])
     end, length = prepared.schedule.end[i, :n], prepared.schedule.length[i, :n]
-    place = outcome.record.position[i, : n + 1, 0, axis]
-    port = prepared.ports[-1]
-    pushed = outcome.record.force[port[0] if port.size == 1 else port[axis], 1 : n + 1, 0 if port.size > 1 else axis]
+    place = outcome.record.position[i, : n + 1].reshape(n + 1, -1)[:, axis]
+    pushed = hand_forces(prepared, outcome.record.force, body.dimension)[-1, 1 : n + 1, axis]
     window = end > settle
     time = (end - 0.5 * length)[window]
     waves = np.stack([np.cos(omega * time), np.sin(omega * time), np.ones(time.size), time], axis=1)

@@ -1,7 +1,6 @@
 """What a run costs: how far copies and forces are from those of one copy that all hold without any delay."""
 
-from collections.abc import Mapping, Sequence
-from typing import TypedDict
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -11,8 +10,9 @@ from cotouch.laboratory._replicas._kinds import REPLICAS
 from cotouch.laboratory._replicas._replica import Moved, replicate
 from cotouch.laboratory._study import HandKind, LawTable, NetworkTable, Study
 from cotouch.laboratory._tasks import Task
+from cotouch.laboratory._trials import energy_of
 from cotouch.laws import law_named
-from cotouch.simulation import TICK_RESIDUAL, TICK_STORED, Outcome, Prepared, prepare, run_prepared, with_hands
+from cotouch.simulation import TICK_STORED, Prepared, prepare, run_prepared, with_hands
 
 # Errors of place count in units of this [m].
 PLACE = 0.01
@@ -23,7 +23,7 @@ _CALMS = 0.9
 
 # Of each run: name, unit, meaning.
 MEASURES = {
-    "cost": ("1", "J: position error in units of 10 mm, plus force error as a fraction of the ideal force"),
+    "cost": ("1", "position error in units of 10 mm, plus force error as a fraction of the ideal force"),
     "place": ("m", "distance of a copy from the ideal, root mean square"),
     "force": ("1", "difference of the hands' forces from the ideal ones, as a fraction of those"),
     "apart": ("m", "distance of a copy from the mean of all, root mean square"),
@@ -54,13 +54,12 @@ def moved(law: LawTable, prepared: Prepared) -> Moved:
         return replicate(REPLICAS[law.replica], prepared)
     outcome = run_prepared(prepared)
     steps, finite = int(outcome.taken.min()), outcome.events == prepared.schedule.order.size
-    seed = float(outcome.record.links[0].sum()) if prepared.law is None else prepared.law.initial_energy
-    made = float(outcome.record.made[0]) - seed
+    energy = energy_of(prepared, outcome)
     return Moved(
         place=places(outcome),
         velocity=outcome.record.velocity[:, : steps + 1],
         force=forces(prepared, outcome),
-        made=max(made, 0.0) if made > 1e-9 * _play(outcome) else 0.0,
+        made=energy.beyond if energy.beyond > 1e-9 * energy.play else 0.0,
         extracted=max(0.0, -float(outcome.record.lowest[0] + outcome.record.ticks[TICK_STORED, 0])),
         corrected=0.0,
         finite=bool(finite and np.isfinite(outcome.position).all()),
@@ -114,11 +113,16 @@ def measures_of(law: LawTable, prepared: Prepared, wanted: Ideal) -> dict[str, f
 def _said(law: LawTable, prepared: Prepared) -> tuple[float, float]:
     """Samples and bytes that a user says to a neighbour where all are said in full."""
     samples = float(prepared.schedule.count.mean())
-    return samples, samples * _message(law, prepared.body.nodes * prepared.body.dimension)
+    return samples, samples * message_size(law, prepared.body.nodes * prepared.body.dimension)
 
 
-def _message(law: LawTable, field: int) -> int:
-    """Bytes of a sample and its message, for fields of so many numbers."""
+def message_size(law: LawTable, field: int) -> int:
+    """Bytes of a sample and its message.
+
+    Args:
+        law: of a study.
+        field: numbers in a field.
+    """
     if law.replica is not None:
         return 8 * field * REPLICAS[law.replica].numbers
     kind = law_named(law.kind)
@@ -133,7 +137,6 @@ def dangerous(
     hand: HandKind,
     setting: Mapping[str, float],
     *,
-    draws: Sequence[int] = (-1,),
     let_go: bool = False,
 ) -> bool:
     """Whether a push doesn't die away, with all hands holding or with one.
@@ -145,38 +148,36 @@ def dangerous(
         users: how many.
         hand: what hands are like.
         setting: of the law.
-        draws: of the channel.
         let_go: nobody holds, and it is the motion of copies against each other that must die away.
     """
     still: Task = [{"user": i + 1, "stiffness": hand.stiffness, "damping": hand.damping} for i in range(users)]
     body = study.build_body()
     velocity = np.zeros((users, body.nodes, body.dimension))
     velocity[0, :, 0] = _PUSH
-    for draw in draws:
-        scenario = study.scenario(
-            law,
-            network,
-            users,
-            [],
-            seed=study.channel_seed(network, draw),
-            setting=setting,
-            duration=_WATCH,
-            initial={"velocity": velocity.tolist()},
-        )
-        pushed = prepare(scenario)
-        for holding in [[]] if let_go else [still, still[:1]]:
-            prepared = with_hands(pushed, study.placed(holding, users))
-            run = moved(law, prepared)
-            if not run.finite:
-                return True
-            steps = int(prepared.schedule.count.min())
-            moving = run.velocity
-            if let_go:
-                moving = moving - moving.mean(axis=0)
-            speed = np.sqrt((moving**2).sum(axis=-1).mean(axis=2))
-            second, last = (np.sqrt((speed[:, q * steps // 4 : (q + 1) * steps // 4] ** 2).mean()) for q in (1, 3))
-            if not np.isfinite(last) or (last > _MOVES and last > _CALMS * second):
-                return True
+    scenario = study.scenario(
+        law,
+        network,
+        users,
+        [],
+        seed=study.channel_seed(network, -1),
+        setting=setting,
+        duration=_WATCH,
+        initial={"velocity": velocity.tolist()},
+    )
+    pushed = prepare(scenario)
+    for holding in [[]] if let_go else [still, still[:1]]:
+        prepared = with_hands(pushed, study.placed(holding, users))
+        run = moved(law, prepared)
+        if not run.finite:
+            return True
+        steps = int(prepared.schedule.count.min())
+        moving = run.velocity
+        if let_go:
+            moving = moving - moving.mean(axis=0)
+        speed = np.sqrt((moving**2).sum(axis=-1).mean(axis=2))
+        second, last = (np.sqrt((speed[:, q * steps // 4 : (q + 1) * steps // 4] ** 2).mean()) for q in (1, 3))
+        if not np.isfinite(last) or (last > _MOVES and last > _CALMS * second):
+            return True
     return False
 
 
@@ -185,40 +186,13 @@ def promises(law: LawTable) -> bool:
     return law.replica is None and law_named(law.kind).passive and law.damping is None
 
 
-def _play(outcome: Outcome) -> float:
-    return float(np.nanmax(np.abs(outcome.record.ticks[:TICK_RESIDUAL]), initial=0.0))
-
-
-class Sizes(TypedDict):
-    """What a law sends for one neighbour and step; its source; whether it promises to make no energy."""
-
-    bytes: int
-    sends: list[str]
-    source: str
-    promises: bool
-
-
-def sizes(study: Study, law: LawTable) -> Sizes:
-    """What a law sends, as plain numbers, for one neighbour and step.
+def said_of(law: LawTable) -> tuple[tuple[str, ...], str]:
+    """What a law sends for one neighbour and step, and where it comes from.
 
     Args:
-        study: whose body it is.
-        law: of the study.
+        law: of a study.
     """
-    body = study.build_body()
-    field = body.nodes * body.dimension
     if law.replica is not None and law.law is None:
-        replica = REPLICAS[law.replica]
-        return {
-            "bytes": _message(law, field),
-            "sends": [*replica.sends],
-            "source": replica.source,
-            "promises": False,
-        }
+        return REPLICAS[law.replica].sends, REPLICAS[law.replica].source
     kind = law_named(law.kind)
-    return {
-        "bytes": _message(law, field),
-        "sends": ["x̂", *kind.sends, *kind.sends_scalars],
-        "source": kind.source,
-        "promises": promises(law),
-    }
+    return ("x̂", *kind.sends, *kind.sends_scalars), kind.source

@@ -7,7 +7,7 @@ from typing import Annotated, Literal, Self, final
 from zlib import crc32
 
 import numpy as np
-from pydantic import Field, PrivateAttr, ValidationError, model_validator
+from pydantic import Field, PrivateAttr, model_validator
 
 from cotouch.arrays import Float
 from cotouch.body import Body
@@ -18,7 +18,7 @@ from cotouch.laboratory._study_tables import HandKind, LawTable, MapTable, Netwo
 from cotouch.laboratory._tasks import JUDGED, TASKS, Hands, Task
 from cotouch.laws import FORCE, law_named
 from cotouch.network import Network, complete, path, ring, star
-from cotouch.scenario import Positive, Scenario, Table, sentence
+from cotouch.scenario import Positive, Scenario, Table, refusing
 
 _MOST_DRAWS = 1000
 # A law that needs a constant delay gets samples so late that this share of them has come.
@@ -131,10 +131,8 @@ class Study(Table):
         Raises:
             ScenarioError: something in it is wrong.
         """
-        try:
+        with refusing(source):
             return cls.model_validate(tables)
-        except ValidationError as error:
-            raise ScenarioError(sentence(error, source)) from None
 
     @classmethod
     def read(cls, file: str | Path) -> "Study":

@@ -13,7 +13,6 @@ from cotouch.interrupt import interruptible
 from cotouch.laboratory._cells import Progress, Store, cells, contents_of, source_of
 from cotouch.laboratory._ideal import digest
 from cotouch.laws import law_named
-from cotouch.network import Network
 from cotouch.scenario import Scenario
 from cotouch.simulation import discrepancy, judge, simulate
 
@@ -106,13 +105,10 @@ def varied(scenario: Scenario, option: str, value: object) -> Scenario:
             raise ScenarioError(f"{option} cannot be varied where links have weights")
         if not isinstance(value, int | float):
             raise ScenarioError(f'{option} is "{value}"; it must be a number')
-        spring, delay = network.spring.copy(), network.delay.copy()
+        values = network.spring.copy() if name == "spring" else network.delay.copy()
         for a, b in network.links:
-            (spring if name == "spring" else delay)[[a, b], [b, a]] = value
-        links = [[a + 1, b + 1] for a, b in network.links]
-        changed = Network.from_table(
-            {"users": list(network.users), "spring": spring.tolist(), "delay": delay.tolist(), "links": links}
-        )
+            values[[a, b], [b, a]] = value
+        changed = network.replace(spring=values) if name == "spring" else network.replace(delay=values)
         return scenario.replace(network=changed)
     if table == "hands" and name:
         return scenario.replace(hands=[{**hand.model_dump(exclude_unset=True), name: value} for hand in scenario.hands])

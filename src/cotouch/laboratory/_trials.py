@@ -10,7 +10,7 @@ from cotouch.arrays import Float
 from cotouch.interrupt import check
 from cotouch.laboratory._tasks import Task
 from cotouch.scenario import Scenario
-from cotouch.simulation import TICK_RESIDUAL, Prepared, prepare, run_prepared
+from cotouch.simulation import TICK_RESIDUAL, Outcome, Prepared, prepare, run_prepared
 
 # How long a trial is [s], and what of a run's energies is round-off.
 _LONG, _ROUND = 1.5, 1e-12
@@ -190,7 +190,16 @@ def made_energy(prepared: Prepared) -> MadeEnergy:
     Args:
         prepared: of any law.
     """
-    outcome = run_prepared(prepared)
+    return energy_of(prepared, run_prepared(prepared))
+
+
+def energy_of(prepared: Prepared, outcome: Outcome) -> MadeEnergy:
+    """What links made in a run.
+
+    Args:
+        prepared: what was run.
+        outcome: what came of it.
+    """
     record = outcome.record
     seed = float(record.links[0].sum()) if prepared.law is None else prepared.law.initial_energy
     play = float(np.nanmax(np.abs(record.ticks[:TICK_RESIDUAL]), initial=0.0))

@@ -51,6 +51,33 @@ def copy(target: Float, source: Float) -> None:
 
 
 @inner
+def move_set(end: End, hold: Float, spare: float, force: float) -> tuple[float, float]:
+    """Set-position modulation: `hold` goes as near to the sample as energy and force allow.
+
+    Args:
+        end: that has heard a sample.
+        hold: where its spring is held; moved.
+        spare: energy for that beyond what the spring holds [J].
+        force: largest of the spring; what it would hold beyond is not spent [N].
+
+    Returns:
+        What the spring held and what it holds [J].
+    """
+    x, half = end.position, 0.5 * end.spring
+    held = desired = 0.0
+    for i in range(x.shape[0]):
+        held += half * at(end.weight, i) * (at(x, i) - at(hold, i)) ** 2
+        desired += half * at(end.weight, i) * (at(x, i) - at(end.sample, i)) ** 2
+    fraction = sqrt((held + spare) / desired) if desired > held + spare else 1.0
+    pull = sqrt(2.0 * end.spring * desired)
+    if fraction * pull > force:
+        fraction = force / pull
+    for i in range(x.shape[0]):
+        put(hold, i, at(x, i) + fraction * (at(end.sample, i) - at(x, i)))
+    return held, fraction * fraction * desired
+
+
+@inner
 def given_power(end: End) -> float:
     """Power of the link's push and damper on the copy, `⟨c, v̂⟩_W - b‖v̂‖²_W`; after the step [W]."""
     result, b = 0.0, end.gains[1]

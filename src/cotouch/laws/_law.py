@@ -46,6 +46,16 @@ class Tone:
 Linear: TypeAlias = Callable[[Tone], tuple[complex, complex]]
 
 
+def damped_spring(tone: Tone) -> tuple[complex, complex]:
+    """`Linear` of a spring and a damper, the first parameter, to what was heard.
+
+    Args:
+        tone: at which.
+    """
+    own = tone.spring / tone.s + tone.parameters[0]
+    return own, own * tone.there
+
+
 @final
 @dataclass(frozen=True, kw_only=True)
 class Facts:
@@ -85,6 +95,10 @@ class Facts:
     def delay(self) -> float:
         """Half of what there and back take together, the same number at both ends [s]."""
         return 0.5 * (self.age + self.age_back)
+
+    def spring_damping(self) -> float:
+        """K d [Ns/m]: a damper that takes what the delay makes in a spring and damper between the copies."""
+        return self.spring * self.delay
 
     def lag(self, filtered: float) -> float:
         """Half of what a line lags there and back that takes up what arrives over some time, the same at both ends [s].

@@ -10,7 +10,7 @@ from math import sqrt
 
 from cotouch.laws._end import End
 from cotouch.laws._helper import copy
-from cotouch.laws._law import Facts, Law, Parameter, Tone, register
+from cotouch.laws._law import Facts, Law, Parameter, damped_spring, register
 
 
 def _before(end: End) -> None:
@@ -30,13 +30,8 @@ def _after(end: End) -> None:
     end.sent_scalars[0] = end.T
 
 
-def _linear(tone: Tone) -> tuple[complex, complex]:
-    own = tone.spring / tone.s + tone.parameters[0]
-    return own, own * tone.there
-
-
 def _damping(facts: Facts) -> float:
-    return 0.5 * facts.spring * facts.delay
+    return 0.5 * facts.spring_damping()
 
 
 def _holds(facts: Facts, parameters: Sequence[float]) -> bool:
@@ -55,7 +50,7 @@ ONCE = register(
         sends_scalars=("T",),
         length="T",
         springs=True,
-        linear=_linear,
+        linear=damped_spring,
         holds=_holds,
         rule=0.163,  # the least for two users at constant delay and this D; enough under jitter, loss and outages
     )

@@ -2,7 +2,7 @@
 
 from cotouch.laws._end import End
 from cotouch.laws._helper import copy
-from cotouch.laws._law import Facts, Law, Parameter, Tone, register
+from cotouch.laws._law import Facts, Law, Parameter, damped_spring, register
 
 
 def _before(end: End) -> None:
@@ -17,25 +17,20 @@ def _after(end: End) -> None:
     copy(end.sent[0], end.mean)
 
 
-def _linear(tone: Tone) -> tuple[complex, complex]:
-    own = tone.spring / tone.s + tone.parameters[0]
-    return own, own * tone.there
-
-
-def _damping(facts: Facts) -> float:
-    return facts.spring * facts.delay
-
-
 PD = register(
     Law(
         name="pd",
         before=_before,
         after=_after,
         source="Anderson & Spong 1989, section II",
-        parameters=(Parameter(name="damping", meaning="D, of the damper between the copies [Ns/m]", default=_damping),),
+        parameters=(
+            Parameter(
+                name="damping", meaning="D, of the damper between the copies [Ns/m]", default=Facts.spring_damping
+            ),
+        ),
         sends=("v",),
         springs=True,
-        linear=_linear,
+        linear=damped_spring,
         passive=False,
     )
 )

@@ -3,35 +3,26 @@
 It is what a guarded link does that never couples: see `cotouch.peer.LinkGuard`.
 """
 
-from math import inf, sqrt
+from math import inf
 
 from cotouch.laws._end import End
-from cotouch.laws._helper import copy, square
+from cotouch.laws._helper import copy, move_set, square
 from cotouch.laws._law import FORCE, Facts, Law, Parameter, register
 
 _TANK, _GIVEN, _CREDITED = range(3)
 
 
 def _before(end: End) -> None:
-    x, hold, tank, half = end.position, end.memory[0], end.scalars, 0.5 * end.spring
+    hold, tank = end.memory[0], end.scalars
     if end.step == 0:
-        copy(hold, x)
+        copy(hold, end.position)
         tank[_TANK] = end.parameters[0]
     tank[_TANK] += max(end.received_scalars[0] - tank[_CREDITED], 0.0)
     tank[_CREDITED] = max(tank[_CREDITED], end.received_scalars[0])
-    held = desired = 0.0
-    for i in range(x.shape[0]):
-        held += half * end.weight[i] * (x[i] - hold[i]) ** 2
-        desired += half * end.weight[i] * (x[i] - end.sample[i]) ** 2
     if end.sample_index >= 0:
-        there = held + max(tank[_TANK], 0.0)
-        fraction = sqrt(there / desired) if desired > there else 1.0
-        pull = sqrt(2.0 * end.spring * desired)
-        if fraction * pull > end.parameters[2]:  # what it would hold beyond stays in the tank
-            fraction = end.parameters[2] / pull
-        for i in range(x.shape[0]):
-            hold[i] = x[i] + fraction * (end.sample[i] - x[i])
-        tank[_TANK] = there - fraction * fraction * desired
+        spare = max(tank[_TANK], 0.0)
+        held, holds = move_set(end, hold, spare, end.parameters[2])
+        tank[_TANK] = held + spare - holds
     copy(end.target, hold)
     end.gains[0], end.gains[1] = end.spring, end.parameters[1]
 
@@ -45,10 +36,6 @@ def _after(end: End) -> None:
     end.sent_scalars[0] = tank[_GIVEN]
 
 
-def _damping(facts: Facts) -> float:
-    return facts.spring * facts.delay
-
-
 PSPM = register(
     Law(
         name="pspm",
@@ -59,7 +46,7 @@ PSPM = register(
             Parameter(
                 name="initial_energy", meaning="energy that the tank starts with, and keeps at most [J]", default=0.05
             ),
-            Parameter(name="damping", meaning="damper that fills the tank [Ns/m]", default=_damping),
+            Parameter(name="damping", meaning="damper that fills the tank [Ns/m]", default=Facts.spring_damping),
             Parameter(name=FORCE, meaning="largest force with which a neighbour may pull [N]", default=inf),
         ),
         sends_scalars=("given",),

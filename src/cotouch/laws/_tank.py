@@ -41,10 +41,6 @@ def _after(end: End) -> None:
     end.sent_scalars[0] = tank[_GIVEN]
 
 
-def _damping(facts: Facts) -> float:
-    return facts.spring * facts.delay
-
-
 TANK = register(
     Law(
         name="tank",
@@ -58,7 +54,7 @@ TANK = register(
                 default=0.05,
                 least=1e-9,
             ),
-            Parameter(name="damping", meaning="D of the desired force [Ns/m]", default=_damping),
+            Parameter(name="damping", meaning="D of the desired force [Ns/m]", default=Facts.spring_damping),
             Parameter(name="recharge", meaning="damper that fills an empty tank [Ns/m]", default=10.0),
             Parameter(name="most", meaning="greatest damper [Ns/m]", default=100.0),
             Parameter(name=FORCE, meaning="largest force with which a neighbour may push [N]", default=inf),

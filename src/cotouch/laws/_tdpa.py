@@ -9,7 +9,7 @@ what the spring's end has taken in: instead of an observer that finds out a step
 from math import inf, sqrt
 
 from cotouch.laws._end import End
-from cotouch.laws._helper import brake, copy, given_power, square
+from cotouch.laws._helper import brake, copy, given_power, move_set, square
 from cotouch.laws._law import FORCE, Law, Parameter, register
 
 
@@ -28,19 +28,9 @@ def _before(end: End) -> None:
         return
     if end.step == 0:
         copy(hold, end.position)
-    x, half = end.position, 0.5 * end.spring
-    held = wish = 0.0
-    for i in range(x.shape[0]):
-        held += half * end.weight[i] * (x[i] - hold[i]) ** 2
-        wish += half * end.weight[i] * (x[i] - end.sample[i]) ** 2
     if end.sample_index >= 0:
-        fraction = sqrt((held + most) / wish) if wish > held + most else 1.0
-        pull = sqrt(2.0 * end.spring * wish)
-        if fraction * pull > force:
-            fraction = force / pull
-        for i in range(x.shape[0]):
-            hold[i] = x[i] + fraction * (end.sample[i] - x[i])
-        step = fraction * fraction * wish - held
+        held, holds = move_set(end, hold, most, force)
+        step = holds - held
         energy[0] += max(-step, 0.0)
         energy[1] += max(step, 0.0)
     copy(end.target, hold)

@@ -29,7 +29,7 @@ from cotouch.members._messages import (
 )
 from cotouch.members._pace import Pace, pace_numbers
 from cotouch.members._part import Participation, ParticipationOutcome
-from cotouch.members._paths import Paths, RoutedPaths
+from cotouch.members._paths import Paths
 from cotouch.members._replica import Replica
 from cotouch.members._session_recorder import SessionRecorder
 from cotouch.members._shared_model import SharedModel
@@ -68,7 +68,6 @@ __all__ = [
     "Refused",
     "Replica",
     "Roster",
-    "RoutedPaths",
     "ScriptedHand",
     "SessionEvent",
     "SessionFile",

@@ -8,7 +8,7 @@ from pathlib import Path, PurePosixPath
 from typing import Annotated, Literal, NamedTuple, Self, final
 
 import numpy as np
-from pydantic import Field, ValidationError, model_validator
+from pydantic import Field, model_validator
 
 from cotouch.errors import ScenarioError, SessionError
 from cotouch.files import look, read_bytes, read_text, table_of, toml
@@ -25,7 +25,7 @@ from cotouch.scenario import (
     Scenario,
     Table,
     per_user,
-    sentence,
+    refusing,
     tables_with_file,
     with_law_of_session,
 )
@@ -166,7 +166,7 @@ class SessionFile:
             folder: where files are looked for; None: none is read.
             law: of the links, instead of the text's; None: the text's.
         """
-        tables = _parsed(text, source)
+        tables = toml(text, source, SessionError)
         if law is not None:
             check_live(law, "--law")
             _take_law(tables, law)
@@ -215,7 +215,7 @@ class SessionFile:
         described = _described(content)
         for name in described.files:
             (folder / name).write_bytes(files[name])
-        tables = _parsed(described.text, "the session")
+        tables = toml(described.text, "the session", SessionError)
         if described.law is not None:
             _take_law(tables, described.law)
         for table, file in tables_with_file(tables, pictures=False):
@@ -290,10 +290,6 @@ def _digest(name: str, said: object) -> bytes:
     return found
 
 
-def _parsed(text: str, source: str) -> dict[str, object]:
-    return toml(text, source, SessionError)
-
-
 def _take_law(tables: dict[str, object], law: str) -> None:
     """Gives the links another law, by its name, with the parameters that it has by itself."""
     given = table_of(tables.get("synchronisation", {}))
@@ -304,10 +300,8 @@ def _take_law(tables: dict[str, object], law: str) -> None:
 def _made(tables: dict[str, object], source: str, folder: Path | None) -> tuple[Scenario, SessionTable]:
     given = tables.get("session", {})
     tables = with_law_of_session({name: table for name, table in tables.items() if name != "session"}, given)
-    try:
+    with refusing(source, SessionError):
         options = _Whole.model_validate({"session": given}).session
-    except ValidationError as error:
-        raise SessionError(sentence(error, source)) from None
     users = options.users
     if users is not None:
         if "network" in tables:

@@ -11,7 +11,6 @@ from cotouch.members._file import SessionFile
 from cotouch.members._messages import Decided, Decision, Roster, read_message, write_message
 from cotouch.members._succession import Belief, Chain, order_of
 from cotouch.members._watch import HANDED_ON, SessionEvent, SessionWatch
-from cotouch.network import Pair
 
 # How often who only watches is told what members say of themselves [s].
 _HAND_ON = 0.5
@@ -28,6 +27,7 @@ class Host:
     """Keeps a session open without taking a slot in it.
 
     Attributes:
+        coordinator: decides who takes part, and can be asked to choose links, expel and release.
         watch: what is seen of the session.
     """
 
@@ -53,7 +53,7 @@ class Host:
         """
         self._control = control
         self._handed_on = -float("inf")
-        self._coordinator = Coordinator(
+        self.coordinator = Coordinator(
             session, planner=planner, admission=admission or Admission(session, fingerprint=None)
         )
         self._belief = Belief(control.identity.public, network=session.scenario.network)
@@ -65,11 +65,6 @@ class Host:
         control.offer(session.content)
         for data in session.files.values():
             control.offer(data)
-
-    @property
-    def admission(self) -> Admission:
-        """Says who may come in."""
-        return self._coordinator.admission
 
     def service(self, now: float) -> None:
         """Hears, decides, says.
@@ -87,20 +82,20 @@ class Host:
                 self._receive_roster(message, now)
                 continue
             if not listening or message.topic == "status":
-                self._coordinator.receive(message, now)
+                self.coordinator.receive(message, now)
             self.watch.receive(message, present, now)
         if not listening:
             self._decide(present, now)
-        self.watch.follow(self._coordinator.roster, now)
+        self.watch.follow(self.coordinator.roster, now)
         if now - self._handed_on >= _HAND_ON:
             self._handed_on = now
             self._hand_on(present - {own}, now)
 
     def _decide(self, present: frozenset[bytes], now: float) -> None:
         self._take_up(present, now)
-        for topic, body, to in self._coordinator.tick(now, present):
+        for topic, body, to in self.coordinator.tick(now, present):
             self._control.send(topic, body, to=to)
-        roster = self._coordinator.roster
+        roster = self.coordinator.roster
         if not self._belief.chain or roster != self._belief.roster:
             banned = self._belief.roster.banned
             self._belief.decide(self._control.identity, roster)
@@ -111,7 +106,7 @@ class Host:
                     self._keep(self._belief.chain[0])
                 except OutputError as error:
                     self.watch.events.append(SessionEvent(now, f"ALARM: the roster cannot be saved: {error}"))
-        if self._coordinator.due(now):
+        if self.coordinator.due(now):
             self._control.send("roster", write_message(Decided(chain=list(self._belief.chain))))
 
     def _resume(self, kept: Decision, now: float) -> None:
@@ -120,10 +115,10 @@ class Host:
             self._listens_until = now + _LISTEN
             self._belief.chain = (kept,)
             self._control.shun(frozenset(map(bytes.fromhex, kept.roster.banned)))
-            self._coordinator.adopt(kept.roster, now)
+            self.coordinator.adopt(kept.roster, now)
         elif now >= self._listens_until:
             self._kept, self._resumed = None, True
-            self._coordinator.renew(_STRIDE)
+            self.coordinator.renew(_STRIDE)
 
     def _receive_roster(self, message: SignedMessage, now: float) -> None:
         """What was decided while the host was gone: its own newer word, or by whom it had let in."""
@@ -131,8 +126,8 @@ class Host:
         if decided is None:
             return
         if self._belief.receive(decided, message.sender, frozenset({self._control.identity.public})):
-            self._coordinator.adopt(self._belief.roster, now)  # older files were kept than what it had said
-            self._coordinator.renew(_STRIDE)
+            self.coordinator.adopt(self._belief.roster, now)  # older files were kept than what it had said
+            self.coordinator.renew(_STRIDE)
         announced, self._belief.announced = self._belief.announced, None
         if announced is not None and (
             self._belief.chain[0].roster.of(message.sender) or len(self._announced) < _MOST_TOLD
@@ -154,7 +149,7 @@ class Host:
 
         for chain in sorted(self._announced.values(), key=rank):
             if chain[0].signature == self._belief.chain[0].signature:
-                self._coordinator.take_up(chain[-1].roster, present, now, instead=self._resumed)
+                self.coordinator.take_up(chain[-1].roster, present, now, instead=self._resumed)
         self._announced.clear()
         self._resumed = False
 
@@ -174,24 +169,7 @@ class Host:
     @property
     def roster(self) -> Roster:
         """Who takes part, and who is linked to whom."""
-        return self._coordinator.roster
-
-    def choose(self, links: list[Pair]) -> None:
-        """Takes these links from now on; see `Coordinator.choose`."""
-        self._coordinator.choose(links)
-
-    def expel(self, name: str, *, ban: bool = True) -> None:
-        """Sends somebody away; see `Coordinator.expel`.
-
-        Args:
-            name: of whoever is sent away.
-            ban: whether the name and its key stay out.
-        """
-        self._coordinator.expel(name, ban=ban)
-
-    def release(self, name: str) -> None:
-        """Lets the name of somebody who is gone go; see `Coordinator.release`."""
-        self._coordinator.release(name)
+        return self.coordinator.roster
 
     def end(self) -> None:
         """Ends the session for everybody."""

@@ -33,7 +33,7 @@ from cotouch.members._shared_cuts import TOPIC as CUTS
 from cotouch.members._shared_model import SharedModel
 from cotouch.members._step_recorder import StepRecorder
 from cotouch.members._succession import Belief
-from cotouch.samples import Entropy
+from cotouch.samples import Entropy, Transport
 from cotouch.traversal import Place
 
 _STATUS_EVERY = 0.5
@@ -65,6 +65,7 @@ class Member:
         replica: SharedModel,
         control: ControlPlane,
         paths: Paths,
+        transport: Transport,
         host: bytes,
         name: str,
         version: str,
@@ -84,7 +85,8 @@ class Member:
             session: what was asked for.
             replica: the body as built here.
             control: the control plane.
-            paths: the sample plane's transport.
+            paths: finds the ways of samples.
+            transport: carries them.
             host: public key of the host.
             name: that others see.
             version: of this software.
@@ -93,7 +95,7 @@ class Member:
             secret: that only the invited know.
             coordinator: takes over when it is this member's turn to decide; by default one without a planner.
             recorder: is told of everything.
-            pace: what the process knows of its steps, for the status: rate, longest, missed, stood, busy.
+            pace: what the process knows of its steps, for the status: rate, longest_period, missed, stood, busy.
             delays: that are emulated now, [to, from], (users, users) [s]; None: as the session says.
             device: what others should see of the device in the user's hand, in a line; empty for nothing.
             place: what shows the host where this member is, once it was told; None: nobody asks.
@@ -104,10 +106,8 @@ class Member:
         self._belief = Belief(host, network=session.scenario.network, own=own, start=start)
         self.replica: Replica | None = None
         self.ended = False
-        self._session = session
-        self._replica = replica
-        self._control = control
-        self._paths = paths
+        self._session, self._replica, self._control = session, replica, control
+        self._paths, self._transport = paths, transport
         self._host = host
         law = signature_of(session.scenario)
         request = Join(name=name, fingerprint=replica.fingerprint, version=version, law=law, start=start)
@@ -127,7 +127,7 @@ class Member:
         self._banned = frozenset[bytes]()
         self._announced_to_them = -float("inf")
         self._announced = -float("inf")
-        self._met = MetPaths(paths)
+        self._met = MetPaths(paths, transport)
         self._waiting = deque[SignedMessage]()
         self._telling: Iterator[None] | None = None
 
@@ -391,6 +391,7 @@ class Member:
                 hand=self._make_hand,
                 control=self._control,
                 paths=self._paths,
+                transport=self._transport,
                 entropy=self._entropy,
                 secret=self._secret,
                 recorder=self._recorder,

@@ -237,13 +237,13 @@ class LinkStatus(Table):
         state: "keys" (not agreed yet), "waiting" (nothing heard, or of late), "guarded", "ready" or "coupled".
         path_state: "direct" or "relayed".
         age: of the sample in the last step, plus the offset of the clocks [s].
-        ages: greatest sum of both directions' ages in the window [s]; null until both are known.
+        age_sum: greatest sum of both directions' ages in the window [s]; null until both are known.
         budget: sum of both budgets [s].
         round_trip: quickest way there and back in the window [s].
         loss: of what the neighbour sent, in the last interval.
         rate: of samples to it [1/s].
-        datagrams: to it [1/s].
-        size: of these, sealed, without what the network adds [B/s].
+        datagram_rate: of datagrams to it [1/s].
+        byte_rate: of their bytes, sealed, without what the network adds [B/s].
         saved: share of bytes that a perceptual codec left out; 0 without one.
         force: of its spring on the copy [N].
         work: of the link on the copy since the start [J].
@@ -259,13 +259,13 @@ class LinkStatus(Table):
     taken: Number = 0.0
     path_state: Text = "direct"
     age: Number | None = None
-    ages: Number | None = None
+    age_sum: Number | None = None
     budget: Number | None = None
     round_trip: Number | None = None
     loss: Number = 0.0
     rate: Number = 0.0
-    datagrams: Number = 0.0
-    size: Number = 0.0
+    datagram_rate: Number = 0.0
+    byte_rate: Number = 0.0
     saved: Number = 0.0
     force: Number = 0.0
     work: Number = 0.0
@@ -284,8 +284,8 @@ class Status(Table):
         time: since it began to step [s].
         steps: so many.
         rate: steps per second since the last status [Hz].
-        period: that it aims at [s].
-        longest: longest T since the last status [s].
+        nominal_period: length of a step that it aims at [s].
+        longest_period: longest step since the last status [s].
         missed: steps that came more than half a period late, so far.
         stood: time in which the copy stood still, because a step was later than it may be, or waited longer [s].
         busy: share of a core that its work takes.
@@ -308,7 +308,7 @@ class Status(Table):
             null: none is predicted [Ns/m for the identity weight].
         braked: what the law took of this copy's motion in the last seconds [J].
         moved: ∫‖v̂‖² over them, in the identity weight [m²/s].
-        certificate: what the damping exceeds what the budgets in force need by, as a share.
+        damping_margin: what the damping exceeds what the budgets in force need by, as a share.
         links: to each neighbour.
         unsent: whether the copy is farther away than samples can tell, so that none are sent.
         alarms: of the ledger, so far.
@@ -330,8 +330,8 @@ class Status(Table):
     time: Number = 0.0
     steps: Count = 0
     rate: Number = 0.0
-    period: Number = 0.0
-    longest: Number = 0.0
+    nominal_period: Number = 0.0
+    longest_period: Number = 0.0
     missed: Count = 0
     stood: Number = 0.0
     busy: Number = 0.0
@@ -352,7 +352,7 @@ class Status(Table):
     drag: Number | None = None
     braked: Number = 0.0
     moved: Number = 0.0
-    certificate: Number | None = None
+    damping_margin: Number | None = None
     links: Annotated[list[LinkStatus], Field(max_length=MOST_USERS)] = Field(default_factory=list[LinkStatus])
     unsent: bool = False
     alarms: Count = 0

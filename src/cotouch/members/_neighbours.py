@@ -209,7 +209,8 @@ class Neighbours:
             position: of the copy, (rows, width) [m]; None: it is not there yet.
             work: that the link did on it [J].
         """
-        return self.by_slot[slot].status(position, path_state=self._paths.path_state(slot), work=work)
+        path_state = self._paths.path_state(slot).name.lower()
+        return self.by_slot[slot].status(position, path_state=path_state, work=work)
 
     def _turns(self) -> list[tuple[int, Neighbour]]:
         """Whose turn it is to be tended: everybody's, or so many one after the other."""

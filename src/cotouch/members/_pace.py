@@ -53,7 +53,7 @@ class Pace:
         time = self._time
         numbers = {
             "rate": self._steps / time if time > 0.0 else 0.0,
-            "longest": self._longest,
+            "longest_period": self._longest,
             "missed": self._missed,
             "stood": self._stood,
             "busy": self._busy / time if time > 0.0 else 0.0,

@@ -20,7 +20,7 @@ from cotouch.members._step_recorder import StepRecorder
 from cotouch.members._totals import Totals
 from cotouch.network import link_damping
 from cotouch.peer import Peer, StepReport, without_debris
-from cotouch.samples import Entropy, IndexedAssembly, SamplePlane
+from cotouch.samples import Entropy, IndexedAssembly, SamplePlane, Transport
 from cotouch.scenario import per_user
 
 # A peer waits for its neighbours so long at most: one may have gone, or never mean to go on [s].
@@ -52,6 +52,7 @@ class Replica:
         hand: Callable[[int, Model], Hand],
         control: ControlPlane,
         paths: Paths,
+        transport: Transport,
         entropy: Entropy,
         secret: bytes,
         recorder: StepRecorder | None,
@@ -61,11 +62,10 @@ class Replica:
         self.peer: Peer | None = None
         self.totals = Totals()
         self._session, self._options, self._replica = session, session.options, replica
-        self._make_hand = hand
+        self._make_hand, self._recorder = hand, recorder
         self._hand: Hand | None = None
-        self._recorder = recorder
         self._law = replica.law
-        self._plane = SamplePlane(paths.transport, replica.layout, user=slot)
+        self._plane = SamplePlane(transport, replica.layout, user=slot)
         self._links = Neighbours(
             session=session,
             replica=replica,
@@ -358,7 +358,7 @@ class Replica:
             epoch=self._roster.epoch,
             time=now - self._began,
             steps=peer.steps,
-            period=self._session.period(self.slot),
+            nominal_period=self._session.period(self.slot),
             force=force_felt(report, None if self._hand is None else self._hand.tools),
             position=model.to_nodes(peer.state.position).mean(axis=0).tolist(),
             supplied=totals.supplied,
@@ -378,7 +378,7 @@ class Replica:
             ),
             braked=totals.braked,
             moved=totals.moved,
-            certificate=float(self.damping.sum() / needed - 1.0) if needed > 0.0 else None,
+            damping_margin=float(self.damping.sum() / needed - 1.0) if needed > 0.0 else None,
             links=links,
             unsent=self._plane.unsent,
             alarms=totals.alarms,

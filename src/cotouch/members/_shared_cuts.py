@@ -12,8 +12,6 @@ import hashlib
 from typing import Annotated, final
 
 import numpy as np
-from cryptography.exceptions import InvalidSignature
-from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PublicKey
 from pydantic import StringConstraints
 
 from cotouch.arrays import Bool, Int
@@ -21,6 +19,7 @@ from cotouch.control import ControlPlane
 from cotouch.members._messages import Key, Roster, Signature, Slot, read_message, write_message
 from cotouch.members._shared_model import SharedModel
 from cotouch.peer import CutSet, Peer
+from cotouch.samples import Bucket, signed_by
 from cotouch.scenario import Table
 
 TOPIC = "link.cuts"
@@ -120,7 +119,7 @@ class SharedCuts:
         self._said, self._since = -float("inf"), float("inf")
         self._own: Bool = np.zeros(self._size, dtype=np.bool_)
         self._body = b""
-        self._looks: dict[int, tuple[float, float]] = {}
+        self._looks: dict[int, Bucket] = {}  # signatures of each sender
         self._turn = 0
         self._listened = False
 
@@ -144,7 +143,8 @@ class SharedCuts:
         if known is None and len(self._authors) >= _MOST_AUTHORS:
             self.refused += 1
             return
-        if not self._look(sender, now) or not self._genuine(said):
+        looks = self._looks.setdefault(sender, Bucket(_LOOKS, _LOOKS))
+        if not looks.take(now) or not self._genuine(said):
             self.refused += 1
             return
         if known is None:
@@ -215,13 +215,6 @@ class SharedCuts:
         bits = np.unpackbits(np.frombuffer(raw, dtype=np.uint8))
         return None if bits[self._size :].any() else bits[: self._size].astype(np.bool_)
 
-    def _look(self, sender: int, now: float) -> bool:
-        """Whether another signature of this sender may be looked at."""
-        left, then = self._looks.get(sender, (_LOOKS, now))
-        left = min(_LOOKS, left + _LOOKS * max(now - then, 0.0))
-        self._looks[sender] = max(left - 1.0, 0.0), now
-        return left >= 1.0
-
     def _about(self, author: str, slot: int, elements: str) -> bytes:
         digest = hashlib.sha256(_CONTEXT + self._session).digest()
         return digest + f"{author} {slot} {elements}".encode()
@@ -233,12 +226,8 @@ class SharedCuts:
         return write_message(Statement(author=author, slot=self._slot, elements=elements, signature=signature))
 
     def _genuine(self, said: Statement) -> bool:
-        try:
-            key = Ed25519PublicKey.from_public_bytes(bytes.fromhex(said.author))
-            key.verify(bytes.fromhex(said.signature), self._about(said.author, said.slot, said.elements))
-        except (InvalidSignature, ValueError):
-            return False
-        return True
+        about = self._about(said.author, said.slot, said.elements)
+        return signed_by(bytes.fromhex(said.author), bytes.fromhex(said.signature), about)
 
 
 def digest_of(by: Int) -> str:

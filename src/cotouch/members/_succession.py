@@ -17,12 +17,9 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import final
 
-from cryptography.exceptions import InvalidSignature
-from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PublicKey
-
 from cotouch.members._messages import LAST_EPOCH, MOST_STAGES, Decided, Decision, Roster, write_message
 from cotouch.network import Network
-from cotouch.samples import Identity
+from cotouch.samples import Identity, signed_by
 
 # A number rises by no more than this from what was known: one that leaps would soon leave none.
 MOST_LEAP = 1 << 16
@@ -51,12 +48,8 @@ def genuine(decision: Decision, host: bytes) -> bool:
         decision: a signed roster.
         host: its public key.
     """
-    try:
-        key = Ed25519PublicKey.from_public_bytes(bytes.fromhex(decision.signer))
-        key.verify(bytes.fromhex(decision.signature), _CONTEXT + host + write_message(decision.roster))
-    except (InvalidSignature, ValueError):
-        return False
-    return True
+    signer, signature = bytes.fromhex(decision.signer), bytes.fromhex(decision.signature)
+    return signed_by(signer, signature, _CONTEXT + host + write_message(decision.roster))
 
 
 def order_of(chain: Sequence[Decision]) -> list[bytes]:

@@ -155,12 +155,20 @@ def _vtk(file: BinaryIO, size: int) -> Promise:
     return Promise(cells or None, points or None)
 
 
-def _vtu(file: BinaryIO, size: int) -> Promise:
-    cells, points = 0, 0
-    for piece, seen in _chunks(file):
-        cells += _sum(piece, rb"NumberOfCells\s*=\s*[\"']\s*(\d+)\s*[\"']", seen) or 0
-        points += _sum(piece, rb"NumberOfPoints\s*=\s*[\"']\s*(\d+)\s*[\"']", seen) or 0
-    return Promise(cells or None, points or None)
+def _said(elements: bytes, points: bytes) -> Callable[[BinaryIO, int], Promise]:
+    """Counts of a format that says them behind these words, as often as it likes."""
+
+    def sums(file: BinaryIO, size: int) -> Promise:
+        found = [(_sum(piece, elements, seen), _sum(piece, points, seen)) for piece, seen in _chunks(file)]
+        return Promise(*(sum(each or 0 for each in said) or None for said in zip(*found, strict=True)))
+
+    return sums
+
+
+_vtu = _said(
+    rb"NumberOfCells\s*=\s*[\"']\s*(\d+)\s*[\"']",
+    rb"NumberOfPoints\s*=\s*[\"']\s*(\d+)\s*[\"']",
+)
 
 
 def _msh(file: BinaryIO, size: int) -> Promise:
@@ -183,14 +191,6 @@ def _msh(file: BinaryIO, size: int) -> Promise:
     return Promise(found.get(b"Elements"), found.get(b"Nodes"))
 
 
-def _mesh(file: BinaryIO, size: int) -> Promise:
-    cells, points = 0, 0
-    for piece, seen in _chunks(file):
-        cells += _sum(piece, rb"\bTetrahedra\s+(\d+)\s", seen) or 0
-        points += _sum(piece, rb"\bVertices\s+(\d+)\s", seen) or 0
-    return Promise(cells or None, points or None)
-
-
 _COUNTERS: Final[dict[str, Callable[[BinaryIO, int], Promise]]] = {
     ".stl": _stl,
     ".ply": _ply,
@@ -200,7 +200,7 @@ _COUNTERS: Final[dict[str, Callable[[BinaryIO, int], Promise]]] = {
     ".vtk": _vtk,
     ".vtu": _vtu,
     ".msh": _msh,
-    ".mesh": _mesh,
+    ".mesh": _said(rb"\bTetrahedra\s+(\d+)\s", rb"\bVertices\s+(\d+)\s"),
 }
 
 

@@ -25,12 +25,13 @@ class Mixing:
 
     Attributes:
         value: second largest |eigenvalue| of the lifted J, 0 to 1; smaller is faster; exactly 1 when periodic.
-        period: gcd of the delays of all cycles in time units; above 1, users echo each other forever and never agree.
+        cycle_period: gcd of the delays of all cycles in time units; above 1, users echo each other forever and
+            never agree.
         time_constant_s: seconds in which what is left to agree on falls by e; inf when periodic, 0 when `value` is 0.
     """
 
     value: float
-    period: int
+    cycle_period: int
     time_constant_s: float
 
 
@@ -64,9 +65,9 @@ def mixing(
     lags = consensus_lags(network, time_unit=time_unit, convention=convention, rounding=rounding)
     period = cycle_period(lags)
     if period > 1:
-        return Mixing(value=1.0, period=period, time_constant_s=math.inf)
+        return Mixing(value=1.0, cycle_period=period, time_constant_s=math.inf)
     value = _second_modulus(network, lags, time_unit)
-    return Mixing(value=value, period=period, time_constant_s=-time_unit / math.log(value) if value > 0 else 0.0)
+    return Mixing(value=value, cycle_period=period, time_constant_s=-time_unit / math.log(value) if value > 0 else 0.0)
 
 
 def lifted_matrix(weights: Float, lags: Long) -> Float:

@@ -6,12 +6,11 @@ import pickle
 import subprocess
 import sys
 import tempfile
-import threading
-import time
 from collections.abc import Callable
 from typing import Generic, ParamSpec, TypeVar, final
 
 from cotouch.errors import SessionError
+from cotouch.processes import ONE_THREAD, start_child, tie_to_parent
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -19,8 +18,6 @@ R = TypeVar("R")
 _PATIENCE = 10.0
 # What moves a copy on this machine goes before what is worked out for it.
 _NICE = 10
-# How often the process looks whether anybody waits for it [s].
-_LOOK = 1.0
 
 
 @final
@@ -37,16 +34,15 @@ class ChildCall(Generic[R]):
         """
         # Files, because nobody reads or writes a pipe while the process starts or runs.
         self._out = tempfile.TemporaryFile()  # noqa: SIM115
-        threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
         with tempfile.TemporaryFile() as given:
-            pickle.dump((os.getpid(), function, args, options), given)
+            pickle.dump((function, args, options), given)
             given.seek(0)
-            self._process = subprocess.Popen(
+            self._process = start_child(
                 [sys.executable, "-c", "from cotouch.observers._child import answer; answer()"],
                 stdin=given,
                 stdout=self._out,
                 stderr=subprocess.DEVNULL,
-                env={**os.environ, **threads},
+                env={**os.environ, **ONE_THREAD},
             )
 
     @property
@@ -84,15 +80,8 @@ class ChildCall(Generic[R]):
 
 def answer() -> None:
     """Does what standard input asks for; the result goes to standard output. Nobody waits for what a dead one asked."""
-    parent, function, args, options = pickle.load(sys.stdin.buffer)  # noqa: S301  written by our own process
+    tie_to_parent()
+    function, args, options = pickle.load(sys.stdin.buffer)  # noqa: S301  written by our own process
     with contextlib.suppress(OSError, AttributeError):
         os.nice(_NICE)
-    threading.Thread(target=_alone, args=(parent,), daemon=True).start()
     pickle.dump(function(*args, **options), sys.stdout.buffer)
-
-
-def _alone(parent: int) -> None:
-    """Ends this process once its parent has ended."""
-    while os.getppid() == parent:
-        time.sleep(_LOOK)
-    os._exit(1)

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import NamedTuple, final
+from typing import final
 from urllib.parse import quote
 
 import numpy as np
@@ -20,8 +20,8 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.body import Body
 from cotouch.mailbox import Fields
-from cotouch.observers._commands import HAND_MODES, HandMode
-from cotouch.observers._session_api import Emulated
+from cotouch.observers._commands import HAND_MODES
+from cotouch.observers._session_api import Emulated, Pointer
 from cotouch.processes import MemoryFolder
 from cotouch.scenario import Scenario
 
@@ -71,7 +71,7 @@ def view_fields(body: Body, *, users: int, hands: int) -> Fields:
         "slot": ((), "i4"),  # -1: none yet
         "time": ((), "f8"),  # end of the step, monotonic clock [s]
         "step": ((), "i8"),
-        "T": ((), "f8"),  # [s]
+        "period": ((), "f8"),  # length of the step [s]
         "displacement": ((nodes, axes), "f4"),  # [m]
         "cut": ((body.cut_count,), "i1"),  # who decided to cut each element, from 1; 0: it is whole
         "known": ((users,), "i1"),  # whose state is known
@@ -124,32 +124,18 @@ def order_fields(users: int) -> Fields:
     }
 
 
-class HandCommand(NamedTuple):
-    """What a hand is told to do.
+@final
+@dataclass(frozen=True, kw_only=True)
+class HandCommand(Pointer):
+    """What a hand is told to do: as a pointer does, whose node may be -1 for what is held now.
 
     Attributes:
-        number: of the order.
-        pointer: of the pointer that it comes from; 0: none.
-        mode: see `HandMode`.
-        node: to hold; -1: what is held now.
-        target: place [m].
-        radius: of the ball; 0: as usual [m].
-        stiffness: 0: as it was [N/m].
+        pointer: number of the pointer that it comes from; 0: none.
         start: where a blade is put down [m].
-        edge: of the blade, from its place to the other end; 0: as it was [m].
-        turn: of a rigid tool from its start [rad].
     """
 
-    number: int
-    pointer: int
-    mode: HandMode
-    node: int
-    target: tuple[float, float, float]
-    radius: float
-    stiffness: float
+    pointer: int = 0
     start: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    edge: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    turn: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 def hand_command_of(orders: dict[str, npt.NDArray[np.generic]]) -> HandCommand:

@@ -110,7 +110,6 @@ class CopyView:
     cut: npt.NDArray[np.int8] | None = None
 
 
-@final
 @dataclass(frozen=True, kw_only=True)
 class Pointer:
     """Where a pointer is; the newest counts.

@@ -254,7 +254,7 @@ class TelemetryPublisher:
         assert peer is not None
         fields["time"][()] = now
         fields["step"][()] = peer.steps
-        fields["T"][()] = T
+        fields["period"][()] = T
         shown = [(peer.state.position, fields["displacement"])]
         if peer.cuts is not None:
             fields["cut"][...] = peer.cuts.by

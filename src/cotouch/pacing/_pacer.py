@@ -72,9 +72,9 @@ class PaceStatistics:
         late_p50: median of how late steps came after their deadlines, of the newest 65,536 [s].
         late_p99: 99th percentile [s].
         late_p999: 99.9th percentile [s].
-        T_min: shortest step [s].
-        T_mean: mean of steps, as they really were [s].
-        T_max: longest step, as it really was [s].
+        period_min: shortest step [s].
+        period_mean: mean of steps, as they really were [s].
+        period_max: longest step, as it really was [s].
         busy: share of the time that was not spent waiting.
     """
 
@@ -84,9 +84,9 @@ class PaceStatistics:
     late_p50: float
     late_p99: float
     late_p999: float
-    T_min: float
-    T_mean: float
-    T_max: float
+    period_min: float
+    period_mean: float
+    period_max: float
     busy: float
 
 
@@ -246,8 +246,8 @@ class Pacer:
             late_p50=quantile(0.5),
             late_p99=quantile(0.99),
             late_p999=quantile(0.999),
-            T_min=self._shortest if self._steps else math.nan,
-            T_mean=elapsed / self._steps if self._steps else math.nan,
-            T_max=self._longest if self._steps else math.nan,
+            period_min=self._shortest if self._steps else math.nan,
+            period_mean=elapsed / self._steps if self._steps else math.nan,
+            period_max=self._longest if self._steps else math.nan,
             busy=1.0 - self._waited / elapsed if elapsed > 0.0 else math.nan,
         )

@@ -82,7 +82,7 @@ def _of_libc(name: str) -> Callable[..., int] | None:
 
 
 @contextmanager
-def prepare_process(*, real_time: int | None = 10, collector: bool = False) -> Generator[ProcessState]:
+def prepare_process(*, real_time: int | None = 10) -> Generator[ProcessState]:
     """Prepares this process and the entering thread, for as long as the context lasts.
 
     Collects garbage, then keeps the collector from looking at what is there and from running; one BLAS thread; sleeps
@@ -91,7 +91,6 @@ def prepare_process(*, real_time: int | None = 10, collector: bool = False) -> G
     Args:
         real_time: priority under SCHED_FIFO, 1 to 99; None: do not ask. It is only asked for with one BLAS thread: with
             several, threads that wait for each other by spinning never end.
-        collector: leave the garbage collector on.
     """
     with contextlib.ExitStack() as undo:
         blas = _one_blas_thread(undo)
@@ -99,21 +98,20 @@ def prepare_process(*, real_time: int | None = 10, collector: bool = False) -> G
         before = sys.getswitchinterval()
         undo.callback(sys.setswitchinterval, before)
         sys.setswitchinterval(min(before, _SWITCH))
-        if not collector:
-            was_on = gc.isenabled()
-            gc.collect()
-            gc.freeze()
-            gc.disable()
-            undo.callback(gc.unfreeze)
-            if was_on:
-                undo.callback(gc.enable)
+        was_on = gc.isenabled()
+        gc.collect()
+        gc.freeze()
+        gc.disable()
+        undo.callback(gc.unfreeze)
+        if was_on:
+            undo.callback(gc.enable)
         priority, refused = (None, "not asked for") if real_time is None else _real_time(real_time, blas, undo)
         yield ProcessState(
             timer_slack=slack,
             real_time=priority,
             real_time_refused=refused,
             blas_threads=blas,
-            collector_off=not collector,
+            collector_off=not gc.isenabled(),
             switch_interval=sys.getswitchinterval(),
         )
 

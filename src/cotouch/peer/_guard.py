@@ -80,6 +80,7 @@ class LinkGuard(SourcedLink):
         total: A_ij + A_ji, as far as this end's damping covers it, >= 0 [s].
         state: `GUARDED`, `READY` or `COUPLED`.
         epoch: how often this end was guarded.
+        lacking: energy for want of which it could not follow its neighbour, in the last step [J].
         tank: E [J].
         events: the last 256 changes of state; whoever reads them may clear them.
         bypassed: follows every sample, whatever it costs; for who wants to show what a guard is good for.
@@ -159,7 +160,7 @@ class LinkGuard(SourcedLink):
         self._partner = 0  # the other's epoch that this end is coupled with
         self._potential = 0.0
         self._catch_up, self._catching = CatchUp(), False  # the latter in this step
-        self._short = 0.0  # of so much energy, in this step
+        self.lacking = 0.0
         self._surplus = 0.0  # of the budget, in this step
         self._given_before: float | None = None  # by the other, as heard first
         self._given = self._received = self._shared = self._taken = 0.0
@@ -224,7 +225,7 @@ class LinkGuard(SourcedLink):
         if sample.index >= 0:
             self._known_epoch = header.epoch
             self._receive(header.given, T)
-        self._short, self.tolerant = 0.0, False
+        self.lacking, self.tolerant = 0.0, False
         if self.bypassed and sample.index >= 0 and desired < inf:
             self._catching = False
             self._move(desired, held)
@@ -249,7 +250,7 @@ class LinkGuard(SourcedLink):
             available = self.tank
             potential = self._affordable(goal, held, available)
             caught = fresh and potential == desired
-        self._short = goal - potential if fresh and potential < goal and available <= potential else 0.0
+        self.lacking = goal - potential if fresh and potential < goal and available <= potential else 0.0
         if not caught:
             self._catch_up.begin()
         self._paid += self.tank - (available - potential)
@@ -285,12 +286,7 @@ class LinkGuard(SourcedLink):
     @property
     def starved(self) -> bool:
         """Whether this end cannot follow its neighbour for want of energy, as of the last step."""
-        return self._short > 0.0
-
-    @property
-    def lacking(self) -> float:
-        """How much energy it lacked [J]."""
-        return self._short
+        return self.lacking > 0.0
 
     def donate(self) -> float:
         """Takes out of the tank of a coupled end what it can do without, for the copy's other links [J]."""

@@ -1,6 +1,5 @@
 """One end of a link whose law says what it does, in a single peer."""
 
-from dataclasses import dataclass, field
 from math import inf
 from typing import Any, final
 
@@ -24,29 +23,35 @@ _STRONGEST = 1e6
 
 
 @final
-@dataclass(eq=False)
 class CopyMemory:
     """What the ends of one copy share: the law's memory, and the last step's force of hands and tools."""
 
-    law: Law
-    size: int
-    hand: Float = field(init=False)
-    touch: Float = field(init=False)
-    shared: Float = field(init=False)
-    scalars: Float = field(init=False)
+    def __init__(self, law: Law, size: int) -> None:
+        """Starts with nothing.
+
+        Args:
+            law: of the copy's links.
+            size: numbers in a field.
+        """
+        self.law, self.size = law, size
+        self.hand = np.zeros(size if law.feels else 0)
+        self.touch = np.zeros_like(self.hand)
+        self.shared = np.zeros((len(law.fractions), size))
+        self.scalars = np.zeros(len(law.shares_scalars))
+        self._store = [law.shares_scalars.index(name) for name in law.store or ()]
 
     @property
     def lacking(self) -> float:
         """What the copy's ends hold less than they should, >= 0; 0 for a law without a store [J]."""
-        if self.law.store is None:
+        if not self._store:
             return 0.0
-        held, level = (float(self.scalars[at]) for at in self._store)
+        held, level = self.scalars[self._store].tolist()
         return max(level - held, 0.0)
 
     @property
     def held(self) -> float:
         """Energy that the copy's ends hold together; 0 for a law without a store [J]."""
-        return 0.0 if self.law.store is None else float(self.scalars[self._store[0]])
+        return float(self.scalars[self._store[0]]) if self._store else 0.0
 
     def feel(self, ports: Ports, weight: Float, contact: Contact | None, push: Float | None) -> None:
         """Notes what hands and tools did in a step, for a law that looks at it.
@@ -73,18 +78,6 @@ class CopyMemory:
         """
         self.scalars[self._store[0]] += energy
 
-    @property
-    def _store(self) -> tuple[int, int]:
-        assert self.law.store is not None
-        names = self.law.shares_scalars
-        return names.index(self.law.store[0]), names.index(self.law.store[1])
-
-    def __post_init__(self) -> None:
-        self.hand = np.zeros(self.size if self.law.feels else 0)
-        self.touch = np.zeros_like(self.hand)
-        self.shared = np.zeros((len(self.law.shares), self.size))
-        self.scalars = np.zeros(len(self.law.shares_scalars))
-
 
 @final
 class LawLink(SourcedLink):
@@ -98,6 +91,7 @@ class LawLink(SourcedLink):
         copies: N.
         offset: what ages are too great by, because clocks differ [s].
         received: energy that the neighbour says it gave, as far as it was believed, so far [J].
+        weight: diagonal of W, flat, (rows * width,).
         apart: greatest distance of any node from the neighbour's when that was heard first; 0 before [m].
     """
 
@@ -147,7 +141,7 @@ class LawLink(SourcedLink):
         self._sent: Message = self._empty[0].copy(), self._empty[1].copy()
         self._gains = np.zeros(2)
         self._spring, self._place, self._width = 0.0, (0, 0), 1
-        self._weight = self._target = self._push = _NONE
+        self.weight = self._target = self._push = _NONE
         self._used, self._steps = -1, 0
         self.apart, self._heard = 0.0, False
         self._end: BoundEnd | None = None
@@ -164,7 +158,7 @@ class LawLink(SourcedLink):
             push: where c belongs, (rows, width).
         """
         self._spring, self._place = spring, place
-        self._weight, self._width = np.repeat(weight, target.shape[1]), target.shape[1]
+        self.weight, self._width = np.repeat(weight, target.shape[1]), target.shape[1]
         self._target, self._push = target.reshape(-1), push.reshape(-1)
         self._end = None
 
@@ -251,7 +245,7 @@ class LawLink(SourcedLink):
             side=self._side,
             width=self._width,
             parameters=self._parameters,
-            weight=self._weight,
+            weight=self.weight,
             mean=_NONE,
             hand=self.memory.hand,
             touch=self.memory.touch,
@@ -266,11 +260,6 @@ class LawLink(SourcedLink):
             sent_scalars=self._sent[1],
         )
         return BoundEnd(end)
-
-    @property
-    def weight(self) -> Float:
-        """Diagonal of W, flat, (rows * width,)."""
-        return self._weight
 
     @property
     def initial_energy(self) -> float:
@@ -288,7 +277,7 @@ class LawLink(SourcedLink):
         if self._end is None:
             return 0.0
         pull = float(self._gains[0]) * (self._target - self._position) + self._push
-        return float(np.sqrt(self._weight @ pull**2))
+        return float(np.sqrt(self.weight @ pull**2))
 
     def _believed(self, scalars: Float, T: float) -> Float:
         """The neighbour's numbers, with no more energy than the power limit lets in; the rest may come later."""

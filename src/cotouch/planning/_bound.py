@@ -10,7 +10,6 @@ The same search, asked to stop at its first choice, tells whether there is any c
 """
 
 import math
-from collections.abc import Generator
 from typing import NamedTuple
 
 import numpy as np
@@ -23,7 +22,7 @@ from cotouch.planning._starts import random_choice
 from cotouch.planning._task import DRAG, NOTHING, Task, admissible, drag_of, weight_of
 
 # Decisions between looks at the clock: about a tenth of a second.
-_SLICE = 100_000
+SLICE = 100_000
 # Improvements smaller than this, beside the value, are round-off.
 ROUND_OFF = 1e-12
 # Decisions after which the search for any choice within tight limits gives up.
@@ -214,7 +213,7 @@ def any_choice(problem: Problem, most: float = np.inf) -> Long | None:
         most: decisions after which it gives up.
     """
     dive = dive_into(problem, 1)
-    while not descend(problem.task, dive, np.inf, _SLICE, True) and dive.counts[2] < most:
+    while not descend(problem.task, dive, np.inf, SLICE, True) and dive.counts[2] < most:
         check()
     return dive.choices[0] if dive.counts[1] else None
 
@@ -231,18 +230,3 @@ def some_choice(problem: Problem) -> Long | None:
 def has_room(problem: Problem) -> bool:
     """Whether branch and bound has room: it keeps what every user has after every decision."""
     return problem.task.size * len(problem.task.free) <= _ROOM
-
-
-def bounded(problem: Problem, dive: Dive, ceiling: float = np.inf) -> Generator[bool]:
-    """Goes on with a search and yields again and again whether it is over.
-
-    Args:
-        problem: the search.
-        dive: where it stands; changed in place.
-        ceiling: choices that are no better are left out, as `rate` gives objectives.
-    """
-    over = False
-    while not over:
-        over = descend(problem.task, dive, ceiling, _SLICE, False)
-        check()
-        yield over

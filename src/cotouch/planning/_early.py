@@ -155,9 +155,8 @@ def _admissible(task: Task, chosen: Long) -> bool:
 
 def _drag(task: Task, chosen: Long) -> float:
     """`_task.drag_of` without a kernel."""
-    load, modes = float(task.load[chosen].sum()), task.modes
-    free = modes[modes[:, 2] == 0.0] if (modes[:, 2] == 0.0).any() else modes
-    return (float(task.sync.sum()) if task.sync.size else 2.0 * load) + 2.0 * load + float(free[:, 1].max())
+    load = float(task.load[chosen].sum())
+    return (float(task.sync.sum()) if task.sync.size else 2.0 * load) + 2.0 * load + task.own_drag
 
 
 def _joined(ends: Long, size: int, groups: int = 1) -> bool:

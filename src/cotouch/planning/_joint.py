@@ -3,7 +3,7 @@
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Any, TypedDict, final
+from typing import Any, final
 
 import numpy as np
 import numpy.typing as npt
@@ -22,12 +22,6 @@ FIRST, _FOLLOWED = 20, 2
 _GLANCE, _THOROUGH = 8, 60
 # Bounds of all springs, as a share of the softest and the stiffest that is given.
 _RANGE = 10.0
-
-
-class _Object(TypedDict):
-    mass: npt.ArrayLike
-    damping: npt.ArrayLike
-    stiffness: npt.ArrayLike
 
 
 @final
@@ -100,15 +94,23 @@ def plan_springs(
         JointInterrupted: a `KeyboardInterrupt` that holds the best found by then.
     """
     begun, asked = clock(), flag()
-    body: _Object = {"mass": mass, "damping": damping, "stiffness": stiffness}
     top = max(FIRST, int(options.pop("top", 1)))
     if ranked is None:
         half = None if seconds is None else 0.5 * seconds
-        options |= body
         ranked = plan(
-            network, links=links, objective="decay", top=top, seconds=half, clock=clock, progress=progress, **options
+            network,
+            links=links,
+            objective="decay",
+            mass=mass,
+            damping=damping,
+            stiffness=stiffness,
+            top=top,
+            seconds=half,
+            clock=clock,
+            progress=progress,
+            **options,
         )
-    least, most = _springs(network)
+    present = network.spring[network.spring > 0]
     known: dict[tuple[Pair, ...], Tuned] = {}
 
     def keep(chosen: tuple[Pair, ...], found: Tuned) -> None:
@@ -125,10 +127,12 @@ def plan_springs(
                 damping_limit=damping_limit,
                 rounds=rounds,
                 spread=spread,
-                lowest=least / _RANGE,
-                highest=most * _RANGE,
+                lowest=float(present.min()) / _RANGE,
+                highest=float(present.max()) * _RANGE,
                 drag_limit=options.get("drag_limit"),
-                **body,
+                mass=mass,
+                damping=damping,
+                stiffness=stiffness,
             )
         except TuningInterrupted as interrupted:
             keep(start.links, interrupted.tuned)
@@ -174,11 +178,6 @@ def plan_springs(
     if asked[0]:
         raise JointInterrupted(joint)
     return joint
-
-
-def _springs(network: Network) -> tuple[float, float]:
-    present = network.spring[network.spring > 0]
-    return float(present.min()), float(present.max())
 
 
 def _swaps(

@@ -33,3 +33,13 @@ def modes_table(mass: npt.ArrayLike, damping: npt.ArrayLike, stiffness: npt.Arra
                 right = "above 0" if column == 0 else "at least 0"
                 raise NetworkError(f"{name} is {value:g} {unit}; it must be finite and {right}")
     return np.unique(modes, axis=0)
+
+
+def own_drag(modes: Float) -> float:
+    """Damping of the modes that move freely, or of all if none does, Ns/m: what the object adds to `Choice.drag`.
+
+    Args:
+        modes: as `modes_table` makes them.
+    """
+    free = modes[:, 2] == 0.0
+    return float(modes[free if free.any() else slice(None), 1].max())

@@ -14,7 +14,7 @@ from cotouch.arrays import Long
 from cotouch.errors import NetworkError, UnsupportedError
 from cotouch.interrupt import Flag, check, finishing, flag, heeding, interruptible
 from cotouch.network import Convention, Network, Rounding
-from cotouch.planning._bound import bounded, dive_into, has_room, some_choice
+from cotouch.planning._bound import SLICE, descend, dive_into, has_room, some_choice
 from cotouch.planning._deadline import in_real_time
 from cotouch.planning._enumerate import BestChoices, chosen_at, enumerated
 from cotouch.planning._local import Begin, walked, worked_out
@@ -387,14 +387,14 @@ def _bound(search: _Search, top: int) -> bool:
     ranked = sorted(search.kept.values())
     ceiling = ranked[top - 1] * (1.0 + 1e-9) if len(ranked) >= top else np.inf
     dive = dive_into(search.problem, top)
-    graphs, looked = search.graphs, search.looked
-    for over in bounded(search.problem, dive, ceiling):
+    graphs, looked, over = search.graphs, search.looked, False
+    while not over:
+        over = descend(search.problem.task, dive, ceiling, SLICE, False)
+        check()
         for value, chosen in zip(dive.values, dive.choices, strict=True):
             if np.isfinite(value):
                 search.keep(chosen, float(value))
         search.graphs, search.looked = graphs + int(dive.counts[1]), looked + int(dive.counts[2])
-        if over:
-            return True
-        if search.enough(0, 0):
+        if not over and search.enough(0, 0):
             return False
-    return False
+    return True

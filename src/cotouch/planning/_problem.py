@@ -22,7 +22,7 @@ from cotouch.network import (
     one_user,
     rightmost_root,
 )
-from cotouch.planning._modes import modes_table
+from cotouch.planning._modes import modes_table, own_drag
 from cotouch.planning._task import CONSENSUS, DAMPING, DECAY, DRAG, FEEL, LOST_LINK, LOST_USER, NOTHING, Task
 from cotouch.units import user_number
 
@@ -268,6 +268,7 @@ def _task(
         pick=pick,
         most=most,
         modes=modes,
+        own_drag=own_drag(modes),
         sync=sync,
         limit=limit,
         drag=drag,

@@ -37,7 +37,7 @@ class Choice:
         drag: Ns/m that all users together feel as they move the object steadily: the object's own damping and the sum
             of `B_i + sum_j K_ij d_ij`.
         worst_path_s: longest of the quickest ways from any user to any other along the links, s.
-        period: of the consensus, in time units; above 1 it never settles. 1 for the other objectives.
+        cycle_period: of the consensus, in time units; above 1 it never settles. 1 for the other objectives.
     """
 
     links: tuple[Pair, ...]
@@ -46,7 +46,7 @@ class Choice:
     damping: Float
     drag: float
     worst_path_s: float
-    period: int
+    cycle_period: int
 
     def numbers(self, users: Sequence[str]) -> dict[str, object]:
         """For JSON, with links between these names."""
@@ -58,7 +58,7 @@ class Choice:
             "largest_damping": float(self.damping.max()),
             "drag": self.drag,
             "worst_path_s": self.worst_path_s,
-            "period": self.period,
+            "cycle_period": self.cycle_period,
         }
 
 
@@ -163,7 +163,7 @@ def choice_of(problem: Problem, chosen: Long, value: float) -> Choice:
         damping=task.sync if task.sync.size else damping,
         drag=float(drag_of(task, float(task.load[chosen].sum()))),
         worst_path_s=worst_path(network),
-        period=int(period_of(task, chosen)) if problem.objective == "consensus" else 1,
+        cycle_period=int(period_of(task, chosen)) if problem.objective == "consensus" else 1,
     )
 
 

@@ -28,6 +28,7 @@ from cotouch.network import (
     rightmost_root,
 )
 from cotouch.planning._deadline import aside
+from cotouch.planning._modes import own_drag
 
 # The trust region, in logarithms of the springs: at first, at most, and where the search ends.
 _REGION, _WIDEST, _NARROWEST = 0.3, 1.0, 1e-5
@@ -65,7 +66,7 @@ class Search:
         self.takes[self.second, links] += self.age
         self.takes /= limit[:, None]
         if drag_limit is not None:
-            own = _own_drag(modes)
+            own = own_drag(modes)
             if not drag_limit > own:
                 raise NetworkError(
                     f"drag_limit is {drag_limit:g} Ns/m; it must be above the object's own damping, {own:g} Ns/m"
@@ -332,9 +333,3 @@ class _Program:
     slopes: Float
     apart: Float
     parting: Float
-
-
-def _own_drag(modes: Float) -> float:
-    """Damping of the modes that move freely, or of all if none does, Ns/m: what the object adds to `Choice.drag`."""
-    free = modes[:, 2] == 0.0
-    return float(modes[free if free.any() else slice(None), 1].max())

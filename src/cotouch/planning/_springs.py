@@ -12,7 +12,7 @@ import numpy.typing as npt
 from cotouch.arrays import Float
 from cotouch.errors import NetworkError
 from cotouch.interrupt import flag, interruptible
-from cotouch.network import Decay, Network, closed_loop, one_user
+from cotouch.network import Network, closed_loop, one_user
 from cotouch.planning._deadline import until
 from cotouch.planning._modes import modes_table
 from cotouch.planning._spring_search import Search
@@ -119,7 +119,8 @@ def tune_springs(
     low, high = _bounds(network, start, lowest, highest, factor)
     search.low, search.high = low, high
     first_decay = search.at(start)
-    if rounds and _can_move(first_decay, network):
+    # Not for one user, nor where nothing dissipates and the translation itself is what is slowest.
+    if rounds and network.links and first_decay.root != 0:
         try:
             with until(lambda: seconds is not None and clock() - begun >= seconds):
                 for begin in [(first_decay, start), *(search.spread() if spread else [])]:
@@ -139,11 +140,6 @@ def tune_springs(
     if asked[0]:
         raise TuningInterrupted(tuned)
     return tuned
-
-
-def _can_move(decay: Decay, network: Network) -> bool:
-    """False for one user, and where nothing dissipates and the translation itself is what is slowest."""
-    return bool(network.links) and decay.root != 0
 
 
 def _limits(network: Network, damping_limit: float | Sequence[float] | Float) -> Float:

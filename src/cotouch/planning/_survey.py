@@ -1,6 +1,6 @@
 """Every choice of links under several objectives, side by side."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Unpack, final
 
@@ -12,7 +12,7 @@ from cotouch.interrupt import check, interruptible
 from cotouch.network import Network, Pair
 from cotouch.planning._enumerate import chosen_at, values_of
 from cotouch.planning._options import ProblemOptions
-from cotouch.planning._problem import Problem, make_problem
+from cotouch.planning._problem import make_problem
 from cotouch.planning._result import shown
 
 # More choices than this are not for looking at side by side.
@@ -69,9 +69,5 @@ def survey(
         values[name] = np.array([shown(problem, value) for value in found.values[admitted].tolist()])
         never[name] = int((values[name] == 1.0).sum()) if problem.objective == "consensus" else 0
         if not graphs:
-            graphs = _graphs(problem, admitted.tolist())
+            graphs = tuple(problem.pairs(chosen_at(problem, rank)) for rank in admitted.tolist())
     return Survey(graphs=graphs, values=values, never=never, choices=choices)
-
-
-def _graphs(problem: Problem, ranks: Sequence[int]) -> tuple[tuple[Pair, ...], ...]:
-    return tuple(problem.pairs(chosen_at(problem, rank)) for rank in ranks)

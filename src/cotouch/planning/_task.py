@@ -32,6 +32,7 @@ class Task(NamedTuple):
         pick: how many of `free` a choice has.
         most: largest number of links of one user.
         modes: mass [kg], damping [Ns/m], stiffness [N/m] of each body mode, (modes, 3).
+        own_drag: damping of the object itself, Ns/m; see `own_drag`.
         sync: synchronisation damping Ns/m, (N,), or (0,) for the rule.
         limit: Ns/m that no `B_i` of the rule may exceed; inf for none.
         drag: Ns/m that the drag of all users together may not exceed; inf for none.
@@ -56,6 +57,7 @@ class Task(NamedTuple):
     pick: int
     most: int
     modes: Float
+    own_drag: float
     sync: Float
     limit: float
     drag: float
@@ -130,19 +132,14 @@ def admissible(task: Task, chosen: Long) -> bool:
 def drag_of(task: Task, total: float) -> float:
     """What all users together feel per speed of a steady common motion, Ns/m: the sum of `B_i + sum_j K_ij d_ij`.
 
-    The object's own damping comes on top, that of the modes which move freely if there are any.
+    The object's own damping comes on top.
 
     Args:
         task: the search.
         total: sum of the loads of the links.
     """
     own = np.sum(task.sync) if len(task.sync) > 0 else 2.0 * total
-    free = np.min(task.modes[:, 2])
-    thing = 0.0
-    for mode in range(len(task.modes)):
-        if task.modes[mode, 2] == 0.0 or free > 0.0:
-            thing = max(thing, task.modes[mode, 1])
-    return own + 2.0 * total + thing
+    return own + 2.0 * total + task.own_drag
 
 
 @routine
@@ -153,11 +150,13 @@ def weight_of(task: Task, chosen: Long) -> float:
         task: the search.
         chosen: numbers of the pairs that are linked, ascending, (links,).
     """
-    if task.objective == DAMPING:
-        return largest_damping(task, chosen)
-    total = 0.0
+    damping, total = np.zeros(task.size), 0.0
     for e in chosen:
+        damping[task.first[e]] += task.load[e]
+        damping[task.second[e]] += task.load[e]
         total += task.load[e]
+    if task.objective == DAMPING:
+        return np.max(damping)
     return drag_of(task, float(total))
 
 
@@ -209,21 +208,6 @@ def period_of(task: Task, chosen: Long) -> int:
                 a, b = b, a % b
             period = a
     return period
-
-
-@routine
-def largest_damping(task: Task, chosen: Long) -> float:
-    """Largest `B_i` of the rule, Ns/m.
-
-    Args:
-        task: the search.
-        chosen: numbers of the pairs that are linked, ascending, (links,).
-    """
-    damping = np.zeros(task.size)
-    for e in chosen:
-        damping[task.first[e]] += task.load[e]
-        damping[task.second[e]] += task.load[e]
-    return np.max(damping)
 
 
 @routine

@@ -94,7 +94,10 @@ def audit(recordings: Sequence[Recording], *, tolerance: float = TOLERANCE) -> A
     least = int(np.argmin(margin[:until]))
     if margin[least] < -allowed and not absent_users(recordings):
         words = f"users took {-margin[least]:.4g} J more out of the network than they had put in"
-        found.append(_of_network(float(-margin[least]), float(grid[least]) - start, words))
+        energy, time = float(-margin[least]), float(grid[least]) - start
+        found.append(
+            AuditFinding(user=None, link=None, place="network", energy=energy, time=time, step=None, words=words)
+        )
     # Guarded ends may spend what they were given once, and what the body's own damping took.
     spare = allowed + sum(
         started(m.recording) + float(m.known["body_loss"].sum() + m.known["extra_loss"].sum())
@@ -254,10 +257,6 @@ def _links_beyond(
             )
         )
     return result
-
-
-def _of_network(energy: float, time: float, words: str) -> AuditFinding:
-    return AuditFinding(user=None, link=None, place="network", energy=energy, time=time, step=None, words=words)
 
 
 def _least_damping(recording: Recording) -> float:

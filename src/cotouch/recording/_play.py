@@ -20,14 +20,14 @@ class Replayed(NamedTuple):
     Attributes:
         row: of the recording's columns.
         time: end of the step since the beginning of the first [s].
-        T: its length [s].
+        period: its length [s].
         force: at every port, (ports, axes) [N].
         place: displacement of the nodes after the step, (n, d) [m]; that of the last step whose state is recorded.
     """
 
     row: int
     time: float
-    T: float
+    period: float
     force: Float
     place: Float
 

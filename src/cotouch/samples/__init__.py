@@ -11,7 +11,7 @@ from cotouch.samples._coded import CodedLink
 from cotouch.samples._emulated_path import EmulatedPath, PathLaw
 from cotouch.samples._impaired import ImpairedTransport
 from cotouch.samples._indexed import IndexedAssembly
-from cotouch.samples._keys import DirectionKeys, Entropy, Identity, LinkKeys
+from cotouch.samples._keys import DirectionKeys, Entropy, Identity, LinkKeys, signed_by
 from cotouch.samples._layout import HEAD_BYTES, Encoding, Layout
 from cotouch.samples._limit import Bucket, SourceLimit
 from cotouch.samples._plane import SampleLink, SamplePlane
@@ -71,4 +71,5 @@ __all__ = [
     "numeric",
     "origin",
     "plain_address",
+    "signed_by",
 ]

@@ -19,14 +19,12 @@ import hmac
 import struct
 from typing import NamedTuple, final
 
-from cryptography.exceptions import InvalidSignature
-from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PublicKey
 from cryptography.hazmat.primitives.asymmetric.x25519 import X25519PrivateKey, X25519PublicKey
 from cryptography.hazmat.primitives.hashes import SHA256
 from cryptography.hazmat.primitives.kdf.hkdf import HKDF
 
 from cotouch.errors import SessionError
-from cotouch.samples._keys import IV_BYTES, KEY_BYTES, DirectionKeys, Entropy, Identity, LinkKeys
+from cotouch.samples._keys import IV_BYTES, KEY_BYTES, DirectionKeys, Entropy, Identity, LinkKeys, signed_by
 from cotouch.samples._unique import Unique
 
 _MAGIC = b"ctk1"
@@ -106,7 +104,7 @@ class Agreement(Unique):
         self.initiator = identity.public < other
         self.epoch = 0
         self._identity = identity
-        self._other = Ed25519PublicKey.from_public_bytes(other)
+        self._other = other
         self._connection = connection
         self._entropy = entropy
         first, second = (identity.public, other) if self.initiator else (other, identity.public)
@@ -240,8 +238,4 @@ class Agreement(Unique):
         return self._identity.sign(b"cotouch agreement " + what + b"\0" + message)
 
     def _signed(self, what: bytes, message: bytes, signature: bytes) -> bool:
-        try:
-            self._other.verify(signature, b"cotouch agreement " + what + b"\0" + message)
-        except InvalidSignature:
-            return False
-        return True
+        return signed_by(self._other, signature, b"cotouch agreement " + what + b"\0" + message)

@@ -23,6 +23,8 @@ _UP = 0.05  # of the highest rate
 _FORGET = 0.99
 # Intervals without trying again, after trying more on a path that was full.
 _REST = 10
+# Waiting, beyond the path's own, that is worth a try [s].
+_QUEUE = 0.015
 # Without any report for this long the other end hears nothing, or cannot say so [s].
 _SILENCE = 1.0
 
@@ -57,17 +59,15 @@ class SendRate:
         trend: what it led to.
     """
 
-    def __init__(self, *, highest: float = 1000.0, lowest: float = LOWEST_RATE, queue: float = 0.015) -> None:
+    def __init__(self, *, highest: float = 1000.0, lowest: float = LOWEST_RATE) -> None:
         """Starts at the highest rate.
 
         Args:
             highest: of the session [1/s].
             lowest: [1/s].
-            queue: waiting, beyond the path's own, that is worth a try [s].
         """
         self.rate = self._highest = self._session = highest
         self._lowest = min(lowest, highest)
-        self._queue = queue
         self.own_loss = 0.0
         self.own_wait = 0.0
         self.loss = 0.0
@@ -163,7 +163,7 @@ class SendRate:
         # Three standard deviations of counting, so that chance does not start a try.
         own = max(self.own_loss, 0.01)
         losses = seen.loss > self.own_loss + 0.02 + 3.0 * sqrt(own * (1.0 - own) / datagrams)
-        waiting = seen.waited > 1.25 * self.own_wait + self._queue
+        waiting = seen.waited > 1.25 * self.own_wait + _QUEUE
         if self._trial is not None:
             self._conclude(*self._trial, seen, sent)
         elif self._rest > 0:
@@ -185,7 +185,7 @@ class SendRate:
         full = lower.delivered >= 0.5 * (1.0 + proportion) * higher.delivered
         # A path that was just full is not at the lower rate: then losses or waiting are gone, to half at least.
         full |= higher.loss > 0.05 and lower.loss < 0.5 * higher.loss
-        full |= higher.waited > self._queue and lower.waited < 0.5 * higher.waited
+        full |= higher.waited > _QUEUE and lower.waited < 0.5 * higher.waited
         if full:
             if rate < self.rate:
                 self._rest = _REST

@@ -7,7 +7,7 @@ from cotouch.scenario._drawn_texture import DrawnTexture
 from cotouch.scenario._files import tables_with_file
 from cotouch.scenario._law_choice import makes_tree, options_of_springs, with_law_of_session
 from cotouch.scenario._led_tools import leading_of
-from cotouch.scenario._messages import sentence
+from cotouch.scenario._messages import refusing
 from cotouch.scenario._penetration import resolve_penetration
 from cotouch.scenario._per_user import per_user
 from cotouch.scenario._ports import ports_of
@@ -54,9 +54,9 @@ __all__ = [
     "options_of_springs",
     "per_user",
     "ports_of",
+    "refusing",
     "resolve_penetration",
     "rows_of",
-    "sentence",
     "tables_with_file",
     "touching_of",
     "with_law_of_session",

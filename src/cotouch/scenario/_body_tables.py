@@ -10,7 +10,6 @@ from pydantic import (
     FiniteFloat,
     InstanceOf,
     Tag,
-    ValidationError,
     model_validator,
 )
 
@@ -38,7 +37,6 @@ from cotouch.body import (
     rigid_sphere,
     solid_models,
 )
-from cotouch.errors import ScenarioError
 from cotouch.meshfile import SURFACES, VOLUMES, is_surface
 from cotouch.scenario._tables import NonNegative, Number, Place, Positive, Table
 
@@ -335,12 +333,10 @@ class FileTable(_HeavyTable):
         Raises:
             ScenarioError: an option is wrong.
         """
-        from cotouch.scenario._messages import sentence
+        from cotouch.scenario._messages import refusing
 
-        try:
+        with refusing(source):
             return cls.model_validate(options)
-        except ValidationError as error:
-            raise ScenarioError(sentence(error, source)) from None
 
     def build(self) -> Body:
         """The body, with all its modes."""

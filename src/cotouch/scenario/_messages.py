@@ -1,10 +1,12 @@
 """What is wrong with a scenario, as one sentence."""
 
-from collections.abc import Mapping
+from collections.abc import Generator, Mapping
+from contextlib import contextmanager
 from typing import cast
 
 from pydantic import ValidationError
 
+from cotouch.errors import InputError, ScenarioError
 from cotouch.scenario import (
     _bodies_table,
     _body_tables,
@@ -18,6 +20,20 @@ from cotouch.scenario import (
 
 # How pydantic says what would be right.
 _SHOULD = "Input should be "
+
+
+@contextmanager
+def refusing(source: str, kind: type[InputError] = ScenarioError) -> Generator[None]:
+    """Says in one sentence what the validation of a table finds wrong meanwhile.
+
+    Args:
+        source: what is read.
+        kind: of the error.
+    """
+    try:
+        yield
+    except ValidationError as error:
+        raise kind(sentence(error, source)) from None
 
 
 def sentence(error: ValidationError, source: str) -> str:

@@ -28,57 +28,41 @@ def ports_of(hands: list[HandTable], users: int, body: Body, ready: Model) -> tu
             raise ScenarioError(f"hands[{index}].user is {hand.user}; the network has users 1 to {users}")
         if hand.node > body.holds:
             raise ScenarioError(f"hands[{index}].node is {hand.node}; the body has nodes 1 to {body.shared}")
-    width = ready.width
-    entries: list[tuple[int, int, int, int]] = []  # user, hand, axis (or -1: all), row
-    for index, hand in enumerate(hands):
-        rows = ready.port_rows(hand.node - 1)
-        entries += [(hand.user - 1, index, axis if rows.size > 1 else -1, int(row)) for axis, row in enumerate(rows)]
-    entries.sort(key=lambda entry: entry[0])
-    count = len(entries)
-    owner = np.array([entry[0] for entry in entries], dtype=np.int32)
-    row = np.array([entry[3] for entry in entries], dtype=np.int32)
-    forced = np.zeros(count, dtype=np.bool_)
-    numbers = np.zeros((6, count))  # stiffness, damping, begin, release, frequency, phase
-    amplitude = np.zeros((count, width))
-    path_first, path_time, path_value = [0], [np.zeros(0)], [np.zeros((0, width))]
-    ports = np.zeros((len(hands), len(ready.port_rows(0))), dtype=np.int32)
-    filled = np.zeros(len(hands), dtype=np.int64)
-    for p, (_, index, axis, _) in enumerate(entries):
-        hand = hands[index]
-        forced[p] = hand.kind == "force"
-        release = np.inf if hand.release is None else hand.release
-        stiffness = 0.0 if forced[p] else hand.stiffness
-        damping = 0.0 if forced[p] else hand.damping
-        numbers[:, p] = stiffness, damping, hand.begin, release, hand.frequency, hand.phase
+    each, width = len(ready.port_rows(0)), ready.width
+    order = sorted(range(len(hands)), key=lambda index: hands[index].user)
+    held = [hands[index] for index in order]
+    ports = np.zeros((len(hands), each), dtype=np.int32)
+    ports[order] = np.arange(ports.size).reshape(ports.shape)
+    path_time, path_value, amplitude = [np.zeros(0)], [np.zeros((0, width))], [np.zeros((0, width))]
+    for index, hand in zip(order, held, strict=True):
         times, values = _path(hand, f"hands[{index + 1}].path", body.dimension)
         wave = _vector(hand.amplitude, f"hands[{index + 1}].amplitude", body.dimension)
-        pick = slice(None) if axis < 0 else slice(axis, axis + 1)
-        used = values[:, pick].shape[1]
-        padded = np.zeros((times.size, width))
-        padded[:, :used] = values[:, pick]
-        amplitude[p, :used] = wave[pick]
-        path_time.append(times)
-        path_value.append(padded)
-        path_first.append(path_first[-1] + times.size)
-        ports[index, filled[index]] = p
-        filled[index] += 1
-    stiffness, damping, begin, release, frequency, phase = (np.ascontiguousarray(line) for line in numbers)
+        for own in np.split(np.vstack([wave, values]), each, axis=1):
+            lines = np.pad(own, ((0, 0), (0, width - own.shape[1])))
+            amplitude.append(lines[:1])
+            path_time.append(times)
+            path_value.append(lines[1:])
+
+    def of_ports(numbers: list[float]) -> Float:
+        return np.repeat(np.array(numbers, dtype=np.float64), each)
+
+    row = np.concatenate([np.zeros(0, dtype=np.int32), *(ready.port_rows(hand.node - 1) for hand in held)])
     return (
         Hands(
-            first=np.searchsorted(owner, np.arange(users + 1)).astype(np.int32),
+            first=np.searchsorted(of_ports([hand.user for hand in held]), np.arange(1, users + 2)).astype(np.int32),
             row=row,
             shape=ready.port_shapes(row),
-            stiffness=stiffness,
-            damping=damping,
-            begin=begin,
-            release=release,
-            forced=forced,
-            path_first=np.array(path_first, dtype=np.int32),
+            stiffness=of_ports([0.0 if hand.kind == "force" else hand.stiffness for hand in held]),
+            damping=of_ports([0.0 if hand.kind == "force" else hand.damping for hand in held]),
+            begin=of_ports([hand.begin for hand in held]),
+            release=of_ports([np.inf if hand.release is None else hand.release for hand in held]),
+            forced=np.repeat(np.array([hand.kind == "force" for hand in held], dtype=np.bool_), each),
+            path_first=np.cumsum([line.size for line in path_time]).astype(np.int32),
             path_time=np.concatenate(path_time),
-            path_value=np.ascontiguousarray(np.concatenate(path_value)),
-            amplitude=amplitude,
-            frequency=frequency,
-            phase=phase,
+            path_value=np.concatenate(path_value),
+            amplitude=np.concatenate(amplitude),
+            frequency=of_ports([hand.frequency for hand in held]),
+            phase=of_ports([hand.phase for hand in held]),
         ),
         ports,
     )

@@ -125,17 +125,15 @@ def with_tools(
     """
     users, old, body = hands.first.size - 1, hands.row.size, ready.body
     owner = np.repeat(np.arange(users), np.diff(hands.first)).tolist()
-    numbers = np.stack([hands.stiffness, hands.damping, hands.begin, hands.release, hands.frequency, hands.phase])
-    shapes, forced, amplitude = [hands.shape], [hands.forced], [hands.amplitude]
-    columns: list[Float] = [numbers]
+    columns = [np.stack([hands.stiffness, hands.damping, hands.begin, hands.release, hands.frequency, hands.phase])]
+    shapes = [hands.shape]
     held_paths = pairwise(hands.path_first.tolist())
     paths: list[tuple[Float, Float]] = [(hands.path_time[a:b], hands.path_value[a:b]) for a, b in held_paths]
-    handles: list[Float] = []
     held: list[Float] = []
-    both = list(zip(tables, body.tools, strict=True))
-    both = [(table, part) for table, part in both if user is None or table.user == user + 1]
-    for table, part in both:
-        handles.append(np.asarray(table.at) + np.asarray(table.handle))
+    every = zip(tables, body.tools, strict=True)
+    both = [(table, part) for table, part in every if user is None or table.user == user + 1]
+    handles = [np.asarray(table.at) + np.asarray(table.handle) for table, _ in both]
+    for (table, part), handle in zip(both, handles, strict=True):
         held.append(np.zeros((0, 4)))
         if table.hand is None:
             continue
@@ -150,15 +148,13 @@ def with_tools(
             held[-1] = np.concatenate([middle[None], held[-1] - middle])
             column = [[0.0, 0.0, 0.0, np.inf, 0.0, 0.0], *column]
             paths.append((np.zeros(1), np.zeros((1, 4))))
-        count = len(column)
-        shape = np.zeros((count, body.nodes))
+        shape = np.zeros((len(column), body.nodes))
         shape[:, rows_of(part, ready)] = held[-1]
         shapes.append(shape)
         columns.append(np.array(column).T)
-        forced.append(np.zeros(count, dtype=np.bool_))
-        amplitude.append(np.zeros((count, hands.amplitude.shape[1])))
-        owner += [table.user - 1] * count
-        paths += _paths(own, points - handles[-1], part.name, goes=not led)
+        owner += [table.user - 1] * len(column)
+        paths += _paths(own, points - handle, part.name, goes=not led)
+    new = len(owner) - old
     order = np.argsort(owner, kind="stable")
     place = np.argsort(order).astype(np.int32)
     stiffness, damping, begin, release, frequency, phase = (
@@ -167,17 +163,17 @@ def with_tools(
     paths = [paths[int(p)] for p in order]
     made = Hands(
         first=np.searchsorted(np.array(owner)[order], np.arange(users + 1)).astype(np.int32),
-        row=np.concatenate([hands.row, np.zeros(len(owner) - old, dtype=np.int32)])[order],
+        row=np.concatenate([hands.row, np.zeros(new, dtype=np.int32)])[order],
         shape=np.ascontiguousarray(np.concatenate(shapes)[order]),
         stiffness=stiffness,
         damping=damping,
         begin=begin,
         release=release,
-        forced=np.concatenate(forced)[order],
+        forced=np.concatenate([hands.forced, np.zeros(new, dtype=np.bool_)])[order],
         path_first=np.cumsum([0, *(time.size for time, _ in paths)]).astype(np.int32),
         path_time=np.concatenate([np.zeros(0), *(time for time, _ in paths)]),
         path_value=np.concatenate([np.zeros((0, hands.path_value.shape[1])), *(value for _, value in paths)]),
-        amplitude=np.ascontiguousarray(np.concatenate(amplitude)[order]),
+        amplitude=np.ascontiguousarray(np.pad(hands.amplitude, ((0, new), (0, 0)))[order]),
         frequency=frequency,
         phase=phase,
     )

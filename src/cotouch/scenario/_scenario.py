@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Annotated, Any, Self, cast, final
 
 import numpy as np
-from pydantic import Field, InstanceOf, PrivateAttr, ValidationError, field_validator, model_validator
+from pydantic import Field, InstanceOf, PrivateAttr, field_validator, model_validator
 
 from cotouch.body import Body, Placed, together, with_faces
 from cotouch.errors import ScenarioError, naming
@@ -21,7 +21,7 @@ from cotouch.scenario._channel import Channel
 from cotouch.scenario._files import tables_with_file
 from cotouch.scenario._held_nodes import held_node, refuse_axes
 from cotouch.scenario._law_choice import choose_law, with_law_of_session
-from cotouch.scenario._messages import sentence
+from cotouch.scenario._messages import refusing
 from cotouch.scenario._rigid_tool_table import RigidToolTable, ToolSource
 from cotouch.scenario._rigid_tools import placed_tools, refuse_unfit
 from cotouch.scenario._tables import HandTable, Initial, RecordTable, Solver, Steps, Synchronisation, Table
@@ -80,10 +80,8 @@ class Scenario(Table):
         Raises:
             ScenarioError: a table or value is wrong.
         """
-        try:
+        with refusing(source):
             super().__init__(**tables)
-        except ValidationError as error:
-            raise ScenarioError(sentence(error, source)) from None
         self._source = source if source != _UNNAMED else ""
 
     @model_validator(mode="after")

@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import Field, FiniteFloat
 
 from cotouch.arrays import Float, Int
-from cotouch.body import Unit, closed_surface, turning
+from cotouch.body import CORNERS, FACES, Unit, closed_surface, turning
 from cotouch.errors import ScenarioError
 from cotouch.mechanics import (
     Box,
@@ -35,25 +35,6 @@ _INSIDE = 0.02
 # Whatever the size, no deeper than this share of a thickness: what is thin may be right through another.
 _THIN = 0.25
 _ORIGIN = [0.0, 0.0, 0.0]
-# A box of side 2, and its triangles.
-_CORNERS = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
-_FACES = np.array(
-    [
-        [0, 1, 3],
-        [0, 3, 2],
-        [4, 6, 7],
-        [4, 7, 5],
-        [0, 4, 5],
-        [0, 5, 1],
-        [2, 3, 7],
-        [2, 7, 6],
-        [0, 2, 6],
-        [0, 6, 4],
-        [1, 5, 7],
-        [1, 7, 3],
-    ],
-    dtype=np.int32,
-)
 
 
 class _ObstacleTable(MeetingTable):
@@ -274,8 +255,8 @@ def _surface_of(shape: Shape) -> tuple[Float, Int] | None:
         return shape.vertices, shape.triangles
     if not isinstance(shape, Box):
         return None
-    corners = 0.5 * np.array(shape.size) * _CORNERS
-    return corners @ turning(shape.turn).T + np.array(shape.centre), _FACES
+    corners = 0.5 * np.array(shape.size) * (2.0 * CORNERS - 1.0)
+    return corners @ turning(shape.turn).T + np.array(shape.centre), np.array(FACES[8], dtype=np.int32)
 
 
 def _refuse_inside(ready: Model, world: World, position: Float, solids: Sequence[str]) -> None:

@@ -311,7 +311,7 @@ class DemoSessionApi(SteeredMembers):
         if name not in self.members or name in self._killed:
             raise SessionError(f"{name} is not running on this machine")
         self._end(name)
-        return self._told(f"{name}'s process was killed; its place is kept for it")
+        return self._told(f"{name}'s process was killed; its slot is kept for it")
 
     def _end(self, name: str) -> None:
         self._killed.add(name)
@@ -323,12 +323,12 @@ class DemoSessionApi(SteeredMembers):
         """Of whoever was started here only the place is freed, so that it can come back; others are sent away."""
         name = self._name_of(slot)
         elsewhere = slot not in self._alive(self.opened.host.roster)
-        self.opened.host.expel(name, ban=elsewhere)
+        self.opened.host.coordinator.expel(name, ban=elsewhere)
         if name in self.members and name not in self._killed:
             self._end(name)
         self.acted = True
         return self._told(
-            f"{name} was expelled for the rest of the session" if elsewhere else f"the place of {name} is free"
+            f"{name} was expelled for the rest of the session" if elsewhere else f"the slot of {name} is free"
         )
 
     def _revive(self, name: str) -> str:
@@ -340,7 +340,7 @@ class DemoSessionApi(SteeredMembers):
     def _link(self, command: ChooseLinks) -> str:
         links = _requests.links_of(command, self._choices, len(self._names))
         try:
-            self.opened.host.choose(links)
+            self.opened.host.coordinator.choose(links)
         except NetworkError as error:
             raise SessionError(str(error)) from error
         self.acted = True

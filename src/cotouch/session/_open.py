@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Generator
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import ExitStack, closing, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -37,7 +37,7 @@ class OpenHost:
     host: Host
     control: ZenohControl
     _mirror: RoutedTransport
-    _built: "_Built"
+    _fingerprint: Future[list[float]]
 
     def service(self, now: float) -> None:
         """Hears, decides, says; to be called some fifty times a second.
@@ -48,8 +48,9 @@ class OpenHost:
         Raises:
             InputError: the body of the session cannot be built.
         """
-        if self.host.admission.fingerprint is None:
-            self.host.admission.fingerprint = self._built.look()
+        admission = self.host.coordinator.admission
+        if admission.fingerprint is None and self._fingerprint.done():
+            admission.fingerprint = self._fingerprint.result()
         self._mirror.poll()  # tells members how they are seen from here
         self.host.service(now)
 
@@ -103,7 +104,10 @@ def open_host(
             kept=kept.decision,
             keep=None if key_file is None else lambda decision: keep_host(key_file, kept._replace(decision=decision)),
         )
-        yield OpenHost(invitation, host, control, mirror, stack.enter_context(_Built(session)))
+        # Worked out beside: a large mesh takes a while, as it does for those who join.
+        beside = ThreadPoolExecutor(1, thread_name_prefix="cotouch body")
+        stack.callback(beside.shutdown, wait=False, cancel_futures=True)
+        yield OpenHost(invitation, host, control, mirror, beside.submit(_fingerprint, session))
 
 
 def _new_host(session: SessionFile, listen: str, port: int | None) -> KeptHost:
@@ -121,29 +125,6 @@ def _new_host(session: SessionFile, listen: str, port: int | None) -> KeptHost:
         entropy=os.urandom,
     )
     return KeptHost(identity, invitation, None)
-
-
-@final
-class _Built:
-    """The body's fingerprint, worked out beside: a large mesh takes a while, as it does for those who join."""
-
-    def __init__(self, session: SessionFile) -> None:
-        self._pool = ThreadPoolExecutor(1, thread_name_prefix="cotouch body")
-        self._made = self._pool.submit(_fingerprint, session)
-
-    def __enter__(self) -> "_Built":
-        return self
-
-    def __exit__(self, *args: object) -> None:
-        self._pool.shutdown(wait=False, cancel_futures=True)
-
-    def look(self) -> list[float] | None:
-        """The fingerprint; None before there is one.
-
-        Raises:
-            InputError: the body cannot be built.
-        """
-        return self._made.result() if self._made.done() else None
 
 
 def _fingerprint(session: SessionFile) -> list[float]:

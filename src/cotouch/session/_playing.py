@@ -18,7 +18,6 @@ from cotouch.members import (
     Pace,
     Participation,
     ParticipationOutcome,
-    RoutedPaths,
     ScriptedHand,
     SessionFile,
     SessionRecorder,
@@ -85,6 +84,7 @@ def take_part(
     )
     worse = session.options.emulate or part.mailboxes is not None
     impaired = ImpairedTransport(routed, {}, clock=clock) if worse else None
+    transport = routed if impaired is None else impaired
     telemetry = None
     if part.mailboxes is not None:
         mailboxes = MailboxFolder(part.mailboxes)
@@ -144,7 +144,8 @@ def take_part(
         session=session,
         replica=replica,
         control=control,
-        paths=RoutedPaths(routed, impaired),
+        paths=routed,
+        transport=transport,
         host=invitation.host,
         name=part.name,
         version=part.version,
@@ -181,7 +182,7 @@ def take_part(
             telemetry.close()
         if session_recorder is not None:
             session_recorder.close()
-        (routed if impaired is None else impaired).close()
+        transport.close()
 
 
 def hand_of(part: Participation, held: HeldDevice, slot: Slot, telemetry: TelemetryPublisher | None = None) -> Hand:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from typing import Any, final
 
 from cotouch.control import Invitation
-from cotouch.processes import start_child
+from cotouch.processes import ONE_THREAD, start_child
 
 _PATIENCE = 10.0
 
@@ -33,14 +33,13 @@ class MemberProcess:
         # A file, because nobody reads a pipe while the process runs.
         self._out = tempfile.TemporaryFile("w+")  # noqa: SIM115
         self._err = tempfile.TemporaryFile("w+")  # noqa: SIM115
-        threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
         self._process = start_child(
             command,
             stdin=subprocess.PIPE,
             stdout=self._out,
             stderr=self._err if as_json else None,
             text=True,
-            env={**os.environ, **threads},
+            env={**os.environ, **ONE_THREAD},
         )
         assert self._process.stdin is not None
         self._process.stdin.write(invitation.encode() + "\n")

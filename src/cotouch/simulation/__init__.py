@@ -20,7 +20,7 @@ from cotouch.simulation._metrics import (
 from cotouch.simulation._outcome import run_prepared
 from cotouch.simulation._peers import PeerRun, run_peers
 from cotouch.simulation._prepare import Prepared, prepare, with_hands, with_law
-from cotouch.simulation._result import dataset, save, simulate
+from cotouch.simulation._result import dataset, hand_forces, save, simulate
 from cotouch.simulation._schedule import Schedule, schedule
 from cotouch.simulation._shown import animation, frame_rate
 from cotouch.simulation._summary_tables import Judged, Numbers, RigidToolSummary, Summary, ToolSummary
@@ -58,6 +58,7 @@ __all__ = [
     "force_imbalance",
     "frame_rate",
     "given_law",
+    "hand_forces",
     "hold_window",
     "judge",
     "prepare",

@@ -113,9 +113,7 @@ def run_batch(prepared: Prepared) -> Outcome:
         )
     ready, timing, hands = prepared.model, prepared.schedule, prepared.hands
     users, rows, width = timing.count.size, ready.operator_rows, ready.width
-    every = prepared.scenario.record.every
-    records = int(timing.count.max()) // every + 1
-    ports, slots = hands.row.size, timing.slots.link.size
+    slots = timing.slots.link.size
     position = np.stack([ready.to_rows(field) for field in prepared.position])
     fields = Fields(
         position=position,
@@ -126,13 +124,12 @@ def run_batch(prepared: Prepared) -> Outcome:
         samples=np.zeros((users * timing.ring + users + (0 if prepared.law is None else slots), rows, width)),
     )
     touching = deepcopy(prepared.touching)
-    more = 0 if touching is None else len(TOOL_LEDGER)
-    more += 0 if ready.force is None else len(CLOSED_LEDGER)
-    more += 0 if ready.force is None or ready.force.world is None else len(WORLD_LEDGER)
     asked = prepared.scenario.cutting
     may = () if asked is None else [asked.may(user + 1) for user in range(users)]
     cutting = cutting_of(ready, tools=0 if touching is None else touching.kind.size, decides=may)
-    more += 0 if cutting is None else len(CUT_LEDGER)
+    books = (0 if touching is None else len(TOOL_LEDGER)) + (0 if cutting is None else len(CUT_LEDGER))
+    record = record_of(prepared, books)
+    records = record.ticks.shape[1]
     # A copy with tools that are bodies knows of contact by a law only where some tool may touch or hold.
     only_blades = bool(ready.body.tools) and touching is not None and bool(np.all(touching.kind == BLADE))
     leading = deepcopy(prepared.leading)
@@ -141,24 +138,6 @@ def run_batch(prepared: Prepared) -> Outcome:
     wanted = prepared.scenario.record.frames
     moments = np.zeros(0) if wanted is None else np.arange(0.0, prepared.scenario.steps.duration, 1.0 / wanted)
     frames = Frames(moments, np.zeros((moments.size, users, rows, width)), np.zeros(1, dtype=np.int32))
-    kept = np.concatenate([ready.port_rows(int(node)) for node in prepared.nodes])
-    shape, kept = with_masses(prepared, ready.port_shapes(kept), kept)
-    record = Record(
-        every=every,
-        row=kept,
-        shape=shape,
-        position=np.empty((users, records, kept.size, width)),
-        velocity=np.empty((users, records, kept.size, width)),
-        force=np.empty((ports, records, width)),
-        users=np.zeros((len(USER_LEDGER) + more, users, records)),
-        slots=np.empty((len(SLOT_LEDGER), slots, records)),
-        links=np.zeros((records, len(prepared.scenario.network.links))),
-        ticks=np.empty((len(TICK_LEDGER), records)),
-        running=np.zeros((users, 6 + more)),
-        lowest=np.zeros(1 + users),
-        refused=np.zeros(1, dtype=np.int32),
-        made=np.zeros(2),
-    )
     counter = np.zeros(users, dtype=np.int32)
     scratch = Scratch(
         ports=idle_ports(hands.row, hands.shape, width),
@@ -228,6 +207,37 @@ def run_batch(prepared: Prepared) -> Outcome:
         frame_time=frames.time[:shown],
         ends=ends,
         cuts=None if cutting is None else marks_of(fields.memory, cutting.first, cutting.wanted.size),
+    )
+
+
+def record_of(prepared: Prepared, more: int = 0) -> Record:
+    """Room for what is recorded of a run.
+
+    Args:
+        prepared: what is run.
+        more: rows of the users' ledgers beside those of their bodies.
+    """
+    ready, timing, every = prepared.model, prepared.schedule, prepared.scenario.record.every
+    users, records, width = timing.count.size, int(timing.count.max()) // every + 1, ready.width
+    more += 0 if ready.force is None else len(CLOSED_LEDGER)
+    more += 0 if ready.force is None or ready.force.world is None else len(WORLD_LEDGER)
+    kept = np.concatenate([ready.port_rows(int(node)) for node in prepared.nodes])
+    shape, kept = with_masses(prepared, ready.port_shapes(kept), kept)
+    return Record(
+        every=every,
+        row=kept,
+        shape=shape,
+        position=np.empty((users, records, kept.size, width)),
+        velocity=np.empty((users, records, kept.size, width)),
+        force=np.zeros((prepared.hands.row.size, records, width)),
+        users=np.zeros((len(USER_LEDGER) + more, users, records)),
+        slots=np.zeros((len(SLOT_LEDGER), timing.slots.link.size, records)),
+        links=np.zeros((records, len(prepared.scenario.network.links))),
+        ticks=np.zeros((len(TICK_LEDGER), records)),
+        running=np.zeros((users, 6 + more)),
+        lowest=np.zeros(1 + users),
+        refused=np.zeros(1, dtype=np.int32),
+        made=np.zeros(2),
     )
 
 

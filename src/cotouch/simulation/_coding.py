@@ -75,7 +75,7 @@ def age_budget(scenario: Scenario, timing: Schedule, law: Law, quantile: float) 
         return timing.budget(quantile)
     users, slots = timing.count.size, timing.slots
     result = np.zeros((users, users))
-    for s, (i, j) in enumerate(zip(slots.receiver, slots.sender, strict=True)):
+    for s, (i, j) in enumerate(slots.pairs):
         n, m = int(timing.count[i]), int(timing.count[j])
         sent = timing.end[j, :m]
         whole = np.array(sent + timing.draws[s].first[:m])

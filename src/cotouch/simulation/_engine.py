@@ -183,7 +183,6 @@ def run(
     energy = initial
     for event in range(timing.order.shape[0]):
         if raised(timing.stop):
-            record.lowest[0] = lowest
             return event
         i = at(timing.order, event)
         k = at(scratch.counter, i)
@@ -201,10 +200,8 @@ def run(
         for p in range(p0, p1):
             grip(hands, scratch.ports, scratch.cursor, p, end, T, lanes)
         if leading is not None and not begin_lead(leading, scratch.ports, fields.position[i], i, end, T):
-            record.lowest[0] = lowest
             return event
         if ends is not None and not ask(ends, topology, timing, scratch.slot, i, k, T):
-            record.lowest[0] = lowest
             record.refused[0] = i + 1
             return event
         state, links, ports = copies.states[i], copies.links[i], copies.ports[i]
@@ -213,7 +210,6 @@ def run(
             begin_cut(cutting, force.world, state, None)
         if touching is not None and copies.tools is not None:
             if not before_step(touching, i, end, T):
-                record.lowest[0] = lowest
                 return event
             tools = copies.tools[i]
             if cutting is not None and force is not None:
@@ -350,10 +346,10 @@ def run(
         lowest = min(lowest, supplied)
         held = ledger[ELASTIC] + (at(running, (i, TOOL_TOUCH_STORED)) if touching is not None else 0.0)
         put(record.lowest, 1 + i, min(at(record.lowest, 1 + i), held))
+        record.lowest[0] = lowest
         record.made[0] = most_made
         record.made[1] = made
         if not ledger[KINETIC] + ledger[ELASTIC] < 1e200:
-            record.lowest[0] = lowest
             return event
         if (k + 1) % record.every == 0:
             keep_user(record, hands, fields, scratch, topology, i, (k + 1) // record.every, lanes)
@@ -378,5 +374,4 @@ def run(
                 put(record.ticks, (TICK_DELAY_WORK, tick), delay_work)
                 put(record.ticks, (TICK_RESIDUAL, tick), energy - initial - supplied + dissipated - delay_work)
                 put(record.ticks, (TICK_SLACK, tick), slack)
-    record.lowest[0] = lowest
     return timing.order.shape[0]

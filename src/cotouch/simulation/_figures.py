@@ -129,18 +129,23 @@ def _panels(figure: "Figure", rows: int, ratios: Sequence[float] | None = None) 
     return panels
 
 
+def _by_user(run: "xr.Dataset", panels: "Sequence[Axes]", what: str, unit: str, values: Float, *, first: int) -> None:
+    """A panel for each axis, with a line for each user from the record with this number."""
+    for axis, panel in enumerate(panels):
+        shade_hold(panel, run, label=axis == 0)
+        for i, own in enumerate(values):
+            panel.plot(*decimate(run["time"].values[i, first:], own[first:, axis]), **user_line(i))
+        name = f" {run['axis'].values[axis]}" if len(panels) > 1 else ""
+        panel.set_ylabel(f"{what}{name} / {unit}")
+
+
 def _positions(run: "xr.Dataset") -> "Figure":
-    users, axes, node = run.sizes["user"], run.sizes["axis"], _shown_node(run)
+    axes, node = run.sizes["axis"], _shown_node(run)
     figure = sheet(1.0 + 1.7 * axes)
     panels = _panels(figure, axes)
     places = run["position"].values[:, :, node, :]
     factor, unit = prefix(peak(places), "m")
-    for axis, panel in enumerate(panels):
-        shade_hold(panel, run, label=axis == 0)
-        for i in range(users):
-            panel.plot(*decimate(run["time"].values[i], places[i, :, axis] / factor), **user_line(i))
-        name = f" {run['axis'].values[axis]}" if axes > 1 else ""
-        panel.set_ylabel(f"Position{name} / {unit}")
+    _by_user(run, panels, "Position", unit, places / factor, first=0)
     which = f" of node {int(run['node'].values[node])}" if run.sizes["node"] > 1 else ""
     panels[0].set_title(f"Position{which}")
     _limit(panels, run)
@@ -149,20 +154,15 @@ def _positions(run: "xr.Dataset") -> "Figure":
 
 
 def _forces(run: "xr.Dataset") -> "Figure":
-    users, axes = run.sizes["user"], run.sizes["axis"]
+    axes = run.sizes["axis"]
     figure = sheet(2.2 + 1.7 * axes)
     panels = _panels(figure, axes + 1, [1.6] * axes + [1.0])
     forces = run["force"].values
     ticks = run["tick_time"].values
     total = at_times(run, "force", ticks).sum(axis=1)
     factor, unit = prefix(peak(forces[:, 1:]), "N")
-    for axis, panel in enumerate(panels[:-1]):
-        shade_hold(panel, run, label=axis == 0)
-        for i in range(users):
-            # Entry 0 is the initial state, which no force belongs to.
-            panel.plot(*decimate(run["time"].values[i][1:], forces[i, 1:, axis] / factor), **user_line(i))
-        name = f" {run['axis'].values[axis]}" if axes > 1 else ""
-        panel.set_ylabel(f"Force{name} / {unit}")
+    # Record 0 is the initial state, which no force belongs to.
+    _by_user(run, panels[:-1], "Force", unit, forces / factor, first=1)
     last = panels[-1]
     shade_hold(last, run, label=False)
     for axis in range(axes):

@@ -65,13 +65,12 @@ def facts_of(scenario: Scenario, ready: Model, timing: Schedule, weight: Int) ->
     longest, slots = timing.longest(), timing.slots
     network = scenario.network
     tree = makes_tree(range(network.size), network.links)
-    pairs = list(zip(slots.receiver.tolist(), slots.sender.tolist(), strict=True))
     ages = {
         pair: timing.age[s, : timing.count[pair[0]]][timing.used[s, : timing.count[pair[0]]] >= 0]
-        for s, pair in enumerate(pairs)
+        for s, pair in enumerate(slots.pairs)
     }
     result: list[Facts] = []
-    for s, (i, j) in enumerate(pairs):
+    for s, (i, j) in enumerate(slots.pairs):
         known = operator.weight[weight[s]] > 0.0  # links do not know of tools
         masses = operator.mass[known] / operator.weight[weight[s], known]
         both = [heard for heard in (ages[i, j], ages[j, i]) if heard.size]
@@ -166,7 +165,6 @@ def ends_of(setup: LawSetup, timing: Schedule, fields: Fields, mean: Float, copi
     law, slots = setup.law, timing.slots
     count, (users, rows, width) = slots.link.size, fields.position.shape
     size = rows * width
-    pairs = list(zip(slots.receiver.tolist(), slots.sender.tolist(), strict=True))
     first = fields.samples.shape[0] - count
     before, after = law.parts
     push = np.zeros((count, rows, width))
@@ -176,7 +174,7 @@ def ends_of(setup: LawSetup, timing: Schedule, fields: Fields, mean: Float, copi
         after=after,
         copies=copies,
         feels=law.feels,
-        reverse=np.array([pairs.index((j, i)) for i, j in pairs], dtype=np.int32),
+        reverse=np.array([slots.pairs.index((j, i)) for i, j in slots.pairs], dtype=np.int32),
         parameters=setup.parameters,
         weight=setup.weight,
         used=np.full(count, -1, dtype=np.int32),

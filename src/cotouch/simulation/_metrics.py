@@ -170,9 +170,7 @@ def force_imbalance(run: "xr.Dataset", body: Body, time: float) -> float | None:
     if "tool" in run.sizes:
         return float(np.linalg.norm(balance.sum(axis=0) + _forces_at(run, time).sum(axis=0)))
     for index, hand in enumerate(tables_of(run)["hands"]):
-        own = run["time"].values[hand["user"] - 1]
-        step = int(np.searchsorted(own[np.isfinite(own)], time * (1.0 + 1e-12), side="right")) - 1
-        balance[hand["node"] - 1] += run["hand_force"].values[index, step]
+        balance[hand["node"] - 1] += run["hand_force"].values[index, _step_at(run, hand["user"] - 1, time)]
     return float(np.sqrt((balance**2).sum()))
 
 
@@ -368,12 +366,14 @@ def _state(run: "xr.Dataset", time: float) -> StateAtTime:
 
 def _forces_at(run: "xr.Dataset", time: float) -> Float:
     """Force of every user in the step at a time, (users, axes) [N]."""
-    forces = np.zeros((run.sizes["user"], run.sizes["axis"]))
-    for user in range(run.sizes["user"]):
-        own = run["time"].values[user]
-        step = int(np.searchsorted(own[np.isfinite(own)], time * (1.0 + 1e-12), side="right")) - 1
-        forces[user] = run["force"].values[user, step]
-    return forces
+    forces = run["force"].values
+    return np.array([own[_step_at(run, user, time)] for user, own in enumerate(forces)], dtype=np.float64)
+
+
+def _step_at(run: "xr.Dataset", user: int, time: float) -> int:
+    """The last step that a user had taken."""
+    own = run["time"].values[user]
+    return int(np.searchsorted(own[np.isfinite(own)], time * (1.0 + 1e-12), side="right")) - 1
 
 
 def plain(values: npt.ArrayLike) -> Numbers:

@@ -5,11 +5,9 @@ import numpy as np
 from cotouch.arrays import Float
 from cotouch.mechanics import CLOSURE_ALARM, ELASTIC, KINETIC, LEDGER_COLUMNS, State, closed_settle, settle, unsettled
 from cotouch.peer import StepReport
-from cotouch.simulation._batch import CodecTraffic, Outcome, run_batch
+from cotouch.simulation._batch import CodecTraffic, Outcome, record_of, run_batch
 from cotouch.simulation._layout import (
     CLOSED_LEDGER,
-    SLOT_LEDGER,
-    TICK_LEDGER,
     TICK_STORED,
     USER_LEDGER,
     WORLD_LEDGER,
@@ -40,31 +38,12 @@ def _recorded(prepared: Prepared, run: PeerRun) -> Outcome:
     ready, timing, hands = prepared.model, prepared.schedule, prepared.hands
     every, users, slots = prepared.scenario.record.every, timing.count.size, timing.slots
     taken = np.array([len(reports) for reports in run.reports], dtype=np.int32)
-    records = int(timing.count.max()) // every + 1
-    kept = np.concatenate([ready.port_rows(int(node)) for node in prepared.nodes])
-    shape, width = ready.port_shapes(kept), ready.width
-    books = len(USER_LEDGER) + (0 if ready.force is None else len(CLOSED_LEDGER))
-    books += len(WORLD_LEDGER) if ready.force is not None and ready.force.world is not None else 0
+    record = record_of(prepared)
+    books, shape = record.users.shape[0], record.shape
 
     def seen(field: Float) -> Float:
-        return np.asarray(shape @ field if shape.shape[0] else field[:, kept])
+        return np.asarray(shape @ field if shape.shape[0] else field[:, record.row])
 
-    record = Record(
-        every=every,
-        row=kept,
-        shape=shape,
-        position=np.empty((users, records, kept.size, width)),
-        velocity=np.empty((users, records, kept.size, width)),
-        force=np.zeros((hands.row.size, records, width)),
-        users=np.zeros((books, users, records)),
-        slots=np.zeros((len(SLOT_LEDGER), slots.link.size, records)),
-        links=np.zeros((records, len(prepared.scenario.network.links))),
-        ticks=np.zeros((len(TICK_LEDGER), records)),
-        running=np.zeros((users, 6)),
-        lowest=np.zeros(1 + users),
-        refused=np.zeros(1, dtype=np.int32),
-        made=np.zeros(2),
-    )
     start = np.array([_energies(prepared, run, i) for i in range(users)])
     for i, reports in enumerate(run.reports):
         last = taken[i] // every + 1
@@ -88,7 +67,7 @@ def _recorded(prepared: Prepared, run: PeerRun) -> Outcome:
         events=int(taken.sum()) if finite else int(taken.sum()) - 1,
         taken=taken,
         tools=None,
-        frames=np.zeros((0, users, ready.operator_rows, width)),
+        frames=np.zeros((0, users, ready.operator_rows, ready.width)),
         frame_time=np.zeros(0),
         traffic=CodecTraffic(
             contents=np.array([encoder.contents for encoder in run.encoders]),

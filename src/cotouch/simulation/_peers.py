@@ -112,7 +112,7 @@ class _World:
         budget, longest = age_budget(prepared.scenario, self.timing, law.law, 1.0), self.timing.longest()
         form, ready = ContentForm(asked.codec, law.law), prepared.model
         rows, axes = ready.operator_rows, 1 if ready.full else ready.body.dimension
-        for s, (i, j) in enumerate(zip(slots.receiver.tolist(), slots.sender.tolist(), strict=True)):
+        for s, (i, j) in enumerate(slots.pairs):
             window = float(budget[i, j] + longest[i] + longest[j])
             weight = law.weight[s].reshape(rows, ready.width)[:, :axes].ravel()
             self.encoders.append(Encoder(form, weight, (rows, axes), window))

@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 from typing import Literal, final
 
 import numpy as np
-from pydantic import ValidationError
 
 from cotouch.arrays import Float, Int
 from cotouch.body import Body
@@ -20,7 +19,7 @@ from cotouch.scenario import (
     leading_of,
     per_user,
     ports_of,
-    sentence,
+    refusing,
     touching_of,
     with_tools,
 )
@@ -182,10 +181,8 @@ def with_hands(prepared: Prepared, hands: Sequence[Mapping[str, object]]) -> Pre
     """
     if prepared.touching is not None or prepared.rigid_tools:
         raise ScenarioError("there are tools; hands of a prepared run can be changed only without them")
-    try:
+    with refusing("the hands"):
         tables = [HandTable.model_validate(table) for table in hands]
-    except ValidationError as error:
-        raise ScenarioError(sentence(error, "the hands")) from None
     scenario = prepared.scenario.model_copy(update={"hands": tables})
     body = prepared.body
     ports, of_hand = ports_of(scenario.hands, scenario.network.size, body, prepared.model)
@@ -223,7 +220,7 @@ def _local_damping(scenario: Scenario, timing: Schedule) -> Float:
         own = 1 if network.weights and all(network.weight_of[a, b] == 0 for a, b in network.links) else 0
         result[:, own] = per_user(method, network.size, "synchronisation.damping")
         return result * asked.damping_scale
-    if method == "exact" and not (timing.mode == "constant" and _is_constant(timing)):
+    if method == "exact" and not (timing.mode == "constant" and not np.ptp(timing.length)):
         raise ScenarioError(
             'synchronisation.damping is "exact", which covers only mode "constant" with one constant step length '
             'for all; use "rule" or "minimax"'
@@ -239,11 +236,6 @@ def _local_damping(scenario: Scenario, timing: Schedule) -> Float:
     if law.rule > 0.0:
         coefficients = coefficients + codec_damping(scenario)
     return np.ascontiguousarray(coefficients) * asked.damping_scale
-
-
-def _is_constant(timing: Schedule) -> bool:
-    """Whether all users take steps of one common, constant length."""
-    return bool((timing.length == timing.length.flat[0]).all())
 
 
 def _initial(given: list[object] | None, name: str, users: int, body: Body) -> Float:
@@ -270,11 +262,9 @@ def _initial(given: list[object] | None, name: str, users: int, body: Body) -> F
 
 def _recorded(scenario: Scenario, body: Body) -> Int:
     asked = scenario.record.nodes
-    if asked == "all":
+    if asked == "all" or (asked is None and body.nodes <= _ALL_NODES and not body.rigid):
         return np.arange(body.shared, dtype=np.int32)
     if asked is None:
-        if body.nodes <= _ALL_NODES and not body.rigid:
-            return np.arange(body.shared, dtype=np.int32)
         held = {hand.node for hand in scenario.hands}
         for tool in scenario.proxies:
             held.add(1 + int(np.argmin(np.linalg.norm(body.rest[: body.shared] - np.array(tool.at), axis=1))))

@@ -187,14 +187,14 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
         put("cut_by", ("user", "element"), by.astype(np.int32))
     for name, values in zip(ledger, record.users, strict=False):
         put(name, ("user", "step"), values, everyone)
-    time, period = np.empty((users, records)), np.empty((users, records))
-    time[:, 0], period[:, 0] = 0.0, np.nan
-    time[:, 1:] = timing.end[:, every - 1 :: every][:, : records - 1]
-    period[:, 1:] = timing.length[:, every - 1 :: every][:, : records - 1]
+    time, period = (
+        np.pad(kept[:, every - 1 :: every][:, : records - 1], ((0, 0), (1, 0)), constant_values=first)
+        for kept, first in ((timing.end, 0.0), (timing.length, np.nan))
+    )
     put("time", ("user", "step"), time, everyone)
     put("period", ("user", "step"), period, everyone)
 
-    hand_force = _hand_forces(prepared, record.force, axes)
+    hand_force = hand_forces(prepared, record.force, axes)
     force = np.zeros((users, records, axes))
     for index, hand in enumerate(scenario.hands):
         force[hand.user - 1] += hand_force[index]
@@ -239,7 +239,7 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
         for name, (dims, values) in data.items()
     }
 
-    names = [f"{i + 1}<-{j + 1}" for i, j in zip(slots.receiver, slots.sender, strict=True)]
+    names = [f"{i + 1}<-{j + 1}" for i, j in slots.pairs]
     return Run(
         labelled,
         coords={
@@ -265,8 +265,14 @@ def dataset(prepared: Prepared, outcome: Outcome) -> "xr.Dataset":
     ).set_coords(["time", "tick_time"])
 
 
-def _hand_forces(prepared: Prepared, force: Float, axes: int) -> Float:
-    """Force of every hand from those of its ports, (hands, records, axes) [N]; no copy where each port is a hand's."""
+def hand_forces(prepared: Prepared, force: Float, axes: int) -> Float:
+    """Force of every hand, (hands, records, axes) [N]; no copy where each port is a hand's.
+
+    Args:
+        prepared: what was run.
+        force: of the ports, (ports, records, width) [N].
+        axes: of a hand with one port.
+    """
     ports = prepared.ports
     if ports.shape[1] > 1:
         return np.ascontiguousarray(force[ports, :, 0].transpose(0, 2, 1))

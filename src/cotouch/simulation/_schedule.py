@@ -38,6 +38,11 @@ class Slots:
         receiver, sender, link = (np.ascontiguousarray(column) for column in table.T)
         return cls(first=first, receiver=receiver, sender=sender, link=link)
 
+    @cached_property
+    def pairs(self) -> list[tuple[int, int]]:
+        """Receiver and sender of each."""
+        return list(zip(self.receiver.tolist(), self.sender.tolist(), strict=True))
+
 
 @final
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -89,8 +94,7 @@ class Schedule:
 
     def ages_into(self, age: Float) -> None:
         """Writes the ages of the steps that are taken into the rows of an array, (slots, at least those steps) [s]."""
-        for s in range(self.slots.link.size):
-            i, j = self.slots.receiver[s], self.slots.sender[s]
+        for s, (i, j) in enumerate(self.slots.pairs):
             n, m = self.count[i], self.count[j]
             ages(self.end[i, :n], self.end[j, :m], self.length[j, :m], self.used[s, :n], age[s, :n])
 
@@ -98,8 +102,7 @@ class Schedule:
         """Age in seconds that the given share of steps stays within, (users, users), [i][j] at i of j's samples."""
         users = self.count.size
         result = np.zeros((users, users))
-        for s in range(self.slots.link.size):
-            i, j = self.slots.receiver[s], self.slots.sender[s]
+        for s, (i, j) in enumerate(self.slots.pairs):
             ages_here = self.age[s, : self.count[i]]
             result[i, j] = ages_here.max() if quantile == 1.0 else np.quantile(ages_here, quantile)
         return result
@@ -136,8 +139,7 @@ def schedule(scenario: Scenario) -> Schedule:
     behind = np.zeros(network.size)
     if mode == "constant":
         bound = bound_together(scenario, nominal, length)
-        for s in range(slots.link.size):
-            i, j = slots.receiver[s], slots.sender[s]
+        for s, (i, j) in enumerate(slots.pairs):
             underruns[s] = indexed(np.ascontiguousarray(latency[s]), end[j], end[i], int(of_slot[s]), used[s])
         count = np.full(network.size, steps, dtype=np.int64)
     else:
@@ -169,8 +171,7 @@ def _freshest(scenario: Scenario, network: Network, slots: Slots) -> Schedule:
     end, length = np.ascontiguousarray(end[:, :steps]), np.ascontiguousarray(length[:, :steps])
     draws = _draws(scenario, network, slots, np.minimum(end, limit))
     used = np.full((slots.link.size, steps), -1, dtype=np.int32)
-    for s in range(slots.link.size):
-        i, j = slots.receiver[s], slots.sender[s]
+    for s, (i, j) in enumerate(slots.pairs):
         sent = end[j, : count[j]]
         newest(sent, sent + draws[s].first[: count[j]], end[i, : count[i]], used[s, : count[i]])
     none = np.zeros(slots.link.size, dtype=np.int64)
@@ -231,10 +232,7 @@ def _seed(scenario: Scenario, receiver: int, sender: int) -> tuple[int, ...]:
 def _measured(scenario: Scenario, slots: Slots, clock: Float) -> list[MeasuredDelays | None]:
     """What the channel's trace adds to the messages of each slot; they are sent by the users' own clocks."""
     trace = scenario.trace()
-    return [
-        measured_at(trace, clock[j], seed=_seed(scenario, int(i), int(j)))
-        for i, j in zip(slots.receiver, slots.sender, strict=True)
-    ]
+    return [measured_at(trace, clock[j], seed=_seed(scenario, i, j)) for i, j in slots.pairs]
 
 
 def _draws(scenario: Scenario, network: Network, slots: Slots, clock: Float) -> list[Draws]:
@@ -244,25 +242,23 @@ def _draws(scenario: Scenario, network: Network, slots: Slots, clock: Float) -> 
             scenario.channel,
             float(network.delay[i, j]),
             clock.shape[1],
-            seed=_seed(scenario, int(i), int(j)),
+            seed=_seed(scenario, i, j),
             measured=measured,
         )
-        for i, j, measured in zip(slots.receiver, slots.sender, traced, strict=True)
+        for (i, j), measured in zip(slots.pairs, traced, strict=True)
     ]
 
 
 def _latencies(scenario: Scenario, network: Network, slots: Slots, draws: list[Draws], clock: Float) -> Float:
     """Latency of every sample, resends included, (slots, steps) [s]."""
-    pairs = list(zip(slots.receiver.tolist(), slots.sender.tolist(), strict=True))
-    there = np.array([network.delay[i, j] for i, j in pairs])
-    back = np.array([network.delay[j, i] for i, j in pairs])
+    there, back = network.delay[slots.receiver, slots.sender], network.delay[slots.sender, slots.receiver]
     if certain(scenario.channel):
         return np.broadcast_to(there[:, None], (there.size, clock.shape[1]))
     latency = np.empty((there.size, clock.shape[1]))
-    for s, (pair, measured) in enumerate(zip(pairs, _measured(scenario, slots, clock), strict=True)):
-        both = there[s] + back[s]
-        seed = _seed(scenario, *pair)
-        latency[s] = resent(scenario.channel, draws[s], there[s], both, seed=seed, measured=measured)
+    for s, (pair, measured) in enumerate(zip(slots.pairs, _measured(scenario, slots, clock), strict=True)):
+        latency[s] = resent(
+            scenario.channel, draws[s], there[s], there[s] + back[s], seed=_seed(scenario, *pair), measured=measured
+        )
     return latency
 
 
@@ -279,7 +275,7 @@ def _index_delays(
     if given is not None:
         if len(given) != users or any(len(row) != users for row in given):
             raise ScenarioError(f"synchronisation.index_delay must be {users} x {users}, one row for each user")
-        for i, j in zip(slots.receiver, slots.sender, strict=True):
+        for i, j in slots.pairs:
             if given[i][j] < 1:
                 raise ScenarioError(
                     f"synchronisation.index_delay[{i + 1}][{j + 1}] is {given[i][j]}; it must be at least 1, because "
@@ -292,8 +288,7 @@ def _index_delays(
         quantile = _SELF_PACED_QUANTILE if scenario.synchronisation.mode == "self-paced" else 1.0
     shortest = float(nominal.max(axis=0).min())
     known = scenario.synchronisation.mode == "constant" and not (nominal == nominal.flat[0]).all()
-    for s in range(slots.link.size):
-        i, j = slots.receiver[s], slots.sender[s]
+    for s, (i, j) in enumerate(slots.pairs):
         needed = _steps_until(end[j] + latency[s], end[i]) if known else latency[s] / shortest
         every = quantile == 1.0  # the largest of many needs no sorting
         most = float(needed.max() if every else np.quantile(needed, quantile, method="higher"))

@@ -75,7 +75,7 @@ def errata(found: Topologies) -> Errata:
         places=places,
         one_graph=one_graph,
         periodic=periodic,
-        echo=(names(looping.links), mixing(looping, time_unit=TIME_UNIT).period),
+        echo=(names(looping.links), mixing(looping, time_unit=TIME_UNIT).cycle_period),
         consensus=consensus,
         spreads={name: float(np.ptp(states[-_END:]) / np.ptp(states[:_START])) for name, states in consensus.items()},
         work={period: _work(found.best, period) for period in _PERIODS},

@@ -33,6 +33,8 @@ _ACTIVE = 1.0
 _MOST_EVENTS = 256
 # Ways are tended at most this often, however often arrivals are looked for.
 _SERVICE = 0.002
+# Datagrams to a neighbour by the relay, at most [1/s].
+_RELAY_RATE = 100.0
 
 
 @final
@@ -58,7 +60,6 @@ class RoutedTransport:
         secret: bytes,
         entropy: Entropy,
         mirrors: Sequence[Address] = (),
-        relay_rate: float = 100.0,
         interfaces: Callable[[], Sequence[str]] = interface_hosts,
         addresses: Addresses | None = None,
         here: Callable[[], str | None] | None = None,
@@ -72,21 +73,17 @@ class RoutedTransport:
             secret: what only invited members know.
             entropy: gives so many bytes that nobody can guess, such as `os.urandom`.
             mirrors: who is asked for this member's own address: the host's sample socket, as members reach it.
-            relay_rate: datagrams to a neighbour by the relay, at most [1/s].
             interfaces: gives the hosts of this machine's interfaces.
             addresses: tells members what shows where they are, if this is the host's.
             here: gives the address by which this machine reaches the others now, None where it does not; the socket
                 goes where that goes. None: the socket stays.
 
         Raises:
-            SessionError: the rate is not positive, or a mirror is no address in numbers.
+            SessionError: a mirror is no address in numbers.
         """
-        if not relay_rate > 0.0:
-            raise SessionError(f"relay rate is {relay_rate} per second; it must be positive")
         self.direct, self.relayed, self.probes = Traffic(), Traffic(), Traffic()
         self._socket, self._control = socket, control
         self._session, self._secret, self._entropy = session, secret, entropy
-        self._relay_rate = relay_rate
         key = member_key(secret, session)
         self._mirror, self._lookup = Mirror(key, addresses), Lookup(key, entropy, control.identity.public)
         self._own = OwnCandidates(socket, self._lookup, interfaces, here)
@@ -222,8 +219,8 @@ class RoutedTransport:
         """Datagrams per second that the way to a neighbour is to be given at most."""
         known = self._neighbours.get(neighbour)
         if known is None:
-            return self._relay_rate if neighbour in self._by_relay else float("inf")
-        return float("inf") if known.address is not None else self._relay_rate
+            return _RELAY_RATE if neighbour in self._by_relay else float("inf")
+        return float("inf") if known.address is not None else _RELAY_RATE
 
     def poll(self) -> list[Arrival]:
         """Everything that arrived since the last call, oldest first; also looks for ways."""

@@ -41,8 +41,7 @@ class PageAddress:
     def url(self) -> str:
         """Of the page, without the token: whoever opens it may watch."""
         plain = self.listen.strip("[]")
-        plain = {"0.0.0.0": "127.0.0.1", "::": "::1"}.get(plain, plain)  # noqa: S104 - told, not bound
-        return f"http://{f'[{plain}]' if ':' in plain else plain}:{self.port}/"
+        return self._at({"0.0.0.0": "127.0.0.1", "::": "::1"}.get(plain, plain))  # noqa: S104 - told, not bound
 
     @property
     def local(self) -> bool:
@@ -56,7 +55,10 @@ class PageAddress:
             return None
         everywhere = self.listen.strip("[]") in {"0.0.0.0", "::"}  # noqa: S104 - compared, not bound
         plain = _outward() if everywhere else self.listen.strip("[]")
-        return None if plain is None else f"http://{f'[{plain}]' if ':' in plain else plain}:{self.port}/"
+        return None if plain is None else self._at(plain)
+
+    def _at(self, plain: str) -> str:
+        return f"http://{f'[{plain}]' if ':' in plain else plain}:{self.port}/"
 
     def close(self) -> None:
         """Gives the port back."""

@@ -105,17 +105,15 @@ class Control:
         Raises:
             SessionError: the stage does not take it.
         """
-        slot = message.slot
+        slot, pointer = message.slot, message.pointer
         if self._holders.get(slot) is not page or page.slot != slot:
             return
-        node, target = -1, message.target
-        if message.mode == "grab":
+        if pointer.mode == "grab":
             # A hand takes the drawn point, and what is drawn to it is the node below: with the way between them left
             # in, whoever takes hold would pull already.
-            node = self._nodes[message.point]
-            x, y, z = (a - b for a, b in zip(target, self._beside[message.point], strict=True))
-            target = (x, y, z)
-        elif message.mode == "pose":
+            x, y, z = (a - b for a, b in zip(pointer.target, self._beside[message.point], strict=True))
+            pointer = replace(pointer, node=self._nodes[message.point], target=(x, y, z))
+        elif pointer.mode == "pose":
             own = [
                 number for first, last, whose, number in self._tools if first <= message.point < last and whose == slot
             ]
@@ -123,22 +121,13 @@ class Control:
                 raise SessionError(
                     f"the pointer's point is {message.point}, which is not on a tool that this user can hold"
                 )
-            node = own[0]
-        pointer = Pointer(
-            number=self._number + 1,
-            mode=message.mode,
-            node=node,
-            target=target,
-            radius=message.radius,
-            stiffness=message.stiffness,
-            edge=message.edge,
-            turn=message.turn,
-        )
+            pointer = replace(pointer, node=own[0])
+        pointer = replace(pointer, number=self._number + 1)
         self._api.point(slot, pointer)
         self._number += 1
-        self._passed[slot].append((self._number, message.number, now, page))
+        self._passed[slot].append((self._number, message.pointer.number, now, page))
         self._held.pop(slot, None)
-        if message.mode != "free":
+        if pointer.mode != "free":
             self._held[slot] = pointer
 
     def repeat(self) -> None:

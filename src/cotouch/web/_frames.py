@@ -9,8 +9,8 @@ import scipy.sparse as sp
 
 from cotouch.arrays import Float, Single
 from cotouch.body import Body, cut_skin, drawn_skin, drawn_tools
-from cotouch.observers import CopyView
-from cotouch.web._protocol import COPY, DIRECT, HAS_HAND, HEADER, VERSION, mode_index
+from cotouch.observers import HAND_MODES, CopyView
+from cotouch.web._protocol import COPY, DIRECT, HAS_HAND, HEADER, VERSION
 
 _FRAME: Final = 1
 _MOST: Final = 32_767
@@ -144,9 +144,9 @@ def _about(view: CopyView, time: float) -> bytes:
     age = max(time - view.time, 0.0)
     ledger = (view.energy, view.supplied, view.lost, view.linked)
     if hand is None:
-        mode = mode_index("free")
+        mode = HAND_MODES.index("free")
         return COPY.pack(view.slot, mode, flags, 0, age, *_NOWHERE, *_NOWHERE, *_NOWHERE, 0.0, *ledger, -1, *_NOWHERE)
     vectors = (*hand.target.tolist(), *hand.place.tolist(), *hand.force.tolist())
     count = min(len(view.hands), 255)
-    mode, edge = mode_index(hand.mode), hand.edge.tolist()
+    mode, edge = HAND_MODES.index(hand.mode), hand.edge.tolist()
     return COPY.pack(view.slot, mode, flags, count, age, *vectors, hand.radius, *ledger, hand.node, *edge)

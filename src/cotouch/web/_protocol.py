@@ -9,7 +9,7 @@ from pydantic import Field, ValidationError
 
 from cotouch.errors import PageError
 from cotouch.files import table_of
-from cotouch.observers import HAND_MODES, Command, HandMode, read_command
+from cotouch.observers import Command, HandMode, Pointer, read_command
 from cotouch.scenario import Table
 
 VERSION: Final = 3
@@ -34,57 +34,18 @@ MOST_BYTES: Final = 16_384  # of a message from a page: every pair of 32 users, 
 Slot = Annotated[int, Field(ge=0, le=255)]
 
 
-@final
-class PointerMessage:
+class PointerMessage(NamedTuple):
     """Where the pointer of a page is.
 
     Attributes:
         slot: that it acts for.
-        mode: "ball", "grab", "free", "blade" or "pose".
-        number: the page's own, rising.
         point: index of the drawn point.
-        target: [m].
-        radius: of the ball [m].
-        stiffness: of the hand [N/m]; 0: as it was.
-        sent: by the page's clock [ms].
-        edge: of the blade, from the target to the other end [m].
-        turn: of a rigid tool from its start: along the axis of turning, as long as the angle [rad].
+        pointer: the rest, by the page's own rising number; its node is not known to the page.
     """
 
-    __slots__ = ("edge", "mode", "number", "point", "radius", "sent", "slot", "stiffness", "target", "turn")
-
-    def __init__(self, message: bytes) -> None:
-        """Reads one.
-
-        Raises:
-            PageError: it is none.
-        """
-        _, slot, action, zero, number, point, x, y, z, radius, stiffness, sent, *last = _POINTER.unpack(message)
-        if action >= len(_ACTIONS) or zero:
-            raise PageError(f"the pointer's action is {action}; it must be 0 to 4, and the byte after it 0")
-        mode = _ACTIONS[int(action)]
-        turns = mode == "pose"
-        for name, given, most, unit in (
-            ("target", (x, y, z), _FAR, "m"),
-            ("turn" if turns else "edge", last, *((_TURNED, "rad") if turns else (_FAR, "m"))),
-        ):
-            if not all(abs(one) <= most for one in given):
-                raise PageError(
-                    f"the pointer's {name} is {', '.join(map(str, given))}; it must be within {most:.0f} {unit}"
-                )
-        if not (0.0 <= radius <= _FAR and 0.0 <= stiffness <= _STIFF and math.isfinite(sent)):
-            raise PageError(f"the pointer's radius or stiffness is {radius} or {stiffness}, or its time {sent}")
-        self.slot: int = slot
-        self.number: int = number
-        self.point: int = point
-        self.mode: HandMode = mode
-        self.target: tuple[float, float, float] = (x, y, z)
-        self.radius: float = radius
-        self.stiffness: float = stiffness
-        self.sent: float = sent
-        vector, none = (last[0], last[1], last[2]), (0.0, 0.0, 0.0)
-        self.edge: tuple[float, float, float] = none if turns else vector
-        self.turn: tuple[float, float, float] = vector if turns else none
+    slot: int
+    point: int
+    pointer: Pointer
 
 
 class FrameReceipt(NamedTuple):
@@ -170,7 +131,7 @@ def read_binary(message: bytes) -> PointerMessage | FrameReceipt:
     """
     kind = message[0] if message else -1
     if kind == _POINTER_KIND and len(message) == _POINTER.size:
-        return PointerMessage(message)
+        return _pointer(message)
     if kind == _ACK_KIND and len(message) == _ACK.size and message[1:4] == b"\0\0\0":
         _, number, wait, every = _ACK.unpack(message)
         if not (0.0 <= wait <= _SLOWEST and (every == 0.0 or _FASTEST <= every <= _SLOWEST)):
@@ -179,6 +140,24 @@ def read_binary(message: bytes) -> PointerMessage | FrameReceipt:
             )
         return FrameReceipt(number, 1e-3 * wait, 1e-3 * every)
     raise PageError(f"a binary message of kind {kind} with {len(message)} bytes; pointers are 2, 52, acks 3, 16")
+
+
+def _pointer(message: bytes) -> PointerMessage:
+    _, slot, action, zero, number, point, x, y, z, radius, stiffness, sent, *last = _POINTER.unpack(message)
+    if action >= len(_ACTIONS) or zero:
+        raise PageError(f"the pointer's action is {action}; it must be 0 to 4, and the byte after it 0")
+    mode = _ACTIONS[int(action)]
+    moved, most, unit = ("turn", _TURNED, "rad") if mode == "pose" else ("edge", _FAR, "m")
+    for name, given, within, of in (("target", (x, y, z), _FAR, "m"), (moved, last, most, unit)):
+        if not all(abs(one) <= within for one in given):
+            raise PageError(
+                f"the pointer's {name} is {', '.join(map(str, given))}; it must be within {within:.0f} {of}"
+            )
+    if not (0.0 <= radius <= _FAR and 0.0 <= stiffness <= _STIFF and math.isfinite(sent)):
+        raise PageError(f"the pointer's radius or stiffness is {radius} or {stiffness}, or its time {sent}")
+    place = {"target": (x, y, z), moved: (last[0], last[1], last[2])}
+    pointer = Pointer(number=number, mode=mode, node=-1, radius=radius, stiffness=stiffness, **place)
+    return PointerMessage(slot, point, pointer)
 
 
 def read_text(message: str) -> Hello | Do:
@@ -207,8 +186,3 @@ def read_text(message: str) -> Hello | Do:
 
 def _refuse(constant: str) -> float:
     raise PageError(f"a text message holds {constant}, which is no number of JSON")
-
-
-def mode_index(mode: HandMode) -> int:
-    """Its number in frames."""
-    return HAND_MODES.index(mode)

@@ -153,21 +153,13 @@ def state_message(
         "members": members,
         "links": [list(pair) for pair in overview.roster.links],
         "ends": ends,
-        "emulated": {
-            f"{to}-{of}": {
-                "delay": path_state.delay,
-                "jitter": path_state.jitter,
-                "loss": path_state.loss,
-                "cut": path_state.cut,
-            }
-            for (to, of), path_state in overview.emulated.items()
-        },
+        "emulated": {f"{to}-{of}": vars(path_state) for (to, of), path_state in overview.emulated.items()},
         "choices": {name: [list(pair) for pair in pairs] for name, pairs in overview.choices.items()},
         "damping": overview.damping,
         "law": _law(overview),
         "recording": overview.recording._asdict(),
         "events": [{"time": event.time - start, "text": event.text} for event in list(overview.events)[-_EVENTS:]],
-        "verdict": judged(overview).as_json(),
+        "verdict": vars(judged(overview)),
         "control": control,
         "pages": pages,
         "ended": overview.ended,
@@ -206,12 +198,7 @@ def _packed(array: npt.ArrayLike, kind: str) -> str:
 
 def _edges(body: Body) -> np.ndarray:
     """Pairs of nodes that springs join, (pairs, 2)."""
-    if body.form != "node":
-        step = body.dimension
-        found = body.stiffness_int.tocoo()
-        pairs = np.stack([found.coords[0] // step, found.coords[1] // step], axis=1)
-    else:
-        found = body.stiffness_int.tocoo()
-        pairs = np.stack([found.coords[0], found.coords[1]], axis=1)
+    rows = 1 if body.form == "node" else body.dimension  # of a node
+    pairs = np.stack(body.stiffness_int.tocoo().coords, axis=1) // rows
     upper = np.unique(pairs[pairs[:, 0] < pairs[:, 1]], axis=0)
     return upper[:_MOST_EDGES]

@@ -27,10 +27,6 @@ class Verdict:
     level: Literal["good", "warn", "bad"]
     text: str
 
-    def as_json(self) -> dict[str, object]:
-        """As JSON's values."""
-        return {"level": self.level, "text": self.text}
-
 
 def judged(overview: Overview) -> Verdict:
     """Judges a session by members' last reports: their ledger, their damping, and the ages that it covers.
@@ -70,7 +66,7 @@ def _short(known: Sequence[Status], names: dict[int, str], fraction: float) -> V
     if fraction < 1.0:
         lowered = _percent(fraction) if fraction >= 0.01 else f"{100.0 * fraction:.2g} %"
         return Verdict("bad", f"not safe: damping lowered to {lowered}")
-    lacking = [(status.certificate, status.slot) for status in known if status.certificate is not None]
+    lacking = [(status.damping_margin, status.slot) for status in known if status.damping_margin is not None]
     least, slot = min(lacking, default=(0.0, -1))
     if least < -_ALARM:
         return Verdict("bad", f"not safe: {names[slot]} has {_percent(-least)} less damping than the delays need")
@@ -107,9 +103,9 @@ def _links(known: Sequence[Status]) -> Verdict:
         which = f"link {silent[0]} receives" if len(silent) == 1 else f"{len(silent)} links receive"
         return Verdict("warn", f"safe: {which} nothing, network slow")
     spare = [
-        (1.0 - link.ages / link.budget, _name(slot, link))
+        (1.0 - link.age_sum / link.budget, _name(slot, link))
         for slot, link in ends
-        if link.state == "coupled" and link.ages is not None and link.budget
+        if link.state == "coupled" and link.age_sum is not None and link.budget
     ]
     joining = [_name(slot, link) for slot, link in ends if link.state not in {"coupled", "guarded"}]
     if not spare:

@@ -1,4 +1,4 @@
-/*! cotouch animation; sources d86621209c58e1c7f1fdb1b2dd01c807bbaadc08b308d2b55f11de8c7f4755d1; with three.js:
+/*! cotouch animation; sources 671e87ff0c1bf5b8cabec6555b9d4b7b471c143006db8d7c2ce3a35274de6fe3; with three.js:
 The MIT License
 
 Copyright © 2010-2026 three.js authors
