@@ -36,7 +36,7 @@ class CopyMemory:
         self.law, self.size = law, size
         self.hand = np.zeros(size if law.feels else 0)
         self.touch = np.zeros_like(self.hand)
-        self.shared = np.zeros((len(law.fractions), size))
+        self.shared = np.zeros((len(law.shares), size))
         self.scalars = np.zeros(len(law.shares_scalars))
         self._store = [law.shares_scalars.index(name) for name in law.store or ()]
 
