@@ -100,6 +100,7 @@ def test_certify_designs_and_checks() -> None:
     table = here("certify", FIVE_USERS)
     assert "minimax" in table.stdout
     assert "36.5" in table.stdout
+    assert "This is for links of law spring" in table.stdout
 
 
 @pytest.mark.parametrize(

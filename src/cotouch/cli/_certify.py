@@ -137,6 +137,7 @@ def _print(network: Network, period: float, tables: _Tables, spare: _Spare) -> N
             said = f"{' and '.join(methods)} cover{'s' * (len(methods) == 1)}"
             console.print(f"  [dim]{said}[/dim] {covers}.", highlight=False)
         console.print()
+    console.print("[dim]This is for links of law spring; laws that are passive by themselves need no damping.[/dim]")
 
 
 def _percent(fraction: float) -> str:

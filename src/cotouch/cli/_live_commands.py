@@ -35,7 +35,8 @@ def host(
     law: Annotated[
         str | None,
         typer.Option(
-            help="Link law, overriding the session's: spring (the paper's), paid, wave, tank, tdpa or pspm.",
+            help="Link law, overriding the session's: spring (the paper's), paid, wave, tank, tdpa, pspm, or an "
+            "installed one.",
             show_default=False,
         ),
     ] = None,
@@ -159,8 +160,8 @@ def demo(
     law: Annotated[
         str | None,
         typer.Option(
-            help="Link law: spring (the paper's, with its damping), paid, wave, tank, tdpa or pspm; default: "
-            "paid, with links between all users.",
+            help="Link law: spring (the paper's, with its damping), paid, wave, tank, tdpa, pspm, or an installed one; "
+            "default: paid, with links between all users.",
             show_default=False,
         ),
     ] = None,

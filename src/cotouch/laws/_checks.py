@@ -2,6 +2,7 @@
 
 import dis
 from collections.abc import Callable, Iterator
+from math import isfinite, nan
 from types import CodeType, FunctionType
 from typing import TypeVar
 
@@ -25,6 +26,19 @@ def worked_out(what: str, function: Callable[[], R]) -> R:
         return function()
     except Exception as error:  # what somebody wrote may be wrong in any way
         raise NetworkError(f"{what} cannot be worked out: {cause_of(error)} ({type(error).__name__})") from error
+
+
+def factor(text: str) -> float | None:
+    """2 of "2x"; None: it is no multiple.
+
+    Args:
+        text: that stands for a parameter.
+    """
+    try:
+        found = float(text.removesuffix("x")) if text.endswith("x") else nan
+    except ValueError:
+        found = nan
+    return found if isfinite(found) and found >= 0.0 else None
 
 
 def raises(function: Callable[..., object]) -> str | None:

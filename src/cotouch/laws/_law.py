@@ -9,7 +9,7 @@ from typing import TypeAlias, final
 from cotouch.errors import NetworkError
 from cotouch.installed import check_own_name, installed, installed_names
 from cotouch.kernels import beyond, reason, written_here
-from cotouch.laws._checks import raises, worked_out
+from cotouch.laws._checks import factor, raises, worked_out
 from cotouch.laws._end import CompiledHalf, End
 from cotouch.laws._origin_force import OriginForce
 from cotouch.laws._trial import ends
@@ -281,7 +281,7 @@ class Law:
                 raise NetworkError(f'law.{name} is not a parameter of law "{self.name}", which has: {may}')
             own = known[name]
             if isinstance(value, str):
-                if _factor(value) is None:
+                if factor(value) is None:
                     raise NetworkError(
                         f'law.{name} is "{value}"; it must be a number, or a multiple of the default such as "2x"'
                     )
@@ -306,7 +306,7 @@ class Law:
             usual = parameter.usual(facts, f'law "{self.name}"')
             value = given.get(parameter.name, usual)
             if isinstance(value, str):
-                value = min(max((_factor(value) or 0.0) * usual, parameter.least), parameter.most)
+                value = min(max((factor(value) or 0.0) * usual, parameter.least), parameter.most)
             result.append(float(value))
         return result
 
@@ -337,15 +337,6 @@ class Law:
 def _pair(linear: Linear, tone: Tone) -> tuple[complex, complex]:
     own, other = linear(tone)
     return complex(own), complex(other)
-
-
-def _factor(text: str) -> float | None:
-    """2 of "2x"; None: it is no multiple."""
-    try:
-        factor = float(text.removesuffix("x")) if text.endswith("x") else nan
-    except ValueError:
-        factor = nan
-    return factor if isfinite(factor) and factor >= 0.0 else None
 
 
 _KNOWN: dict[str, Law] = {}
