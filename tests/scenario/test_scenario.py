@@ -100,7 +100,7 @@ def test_a_network_alone_is_a_scenario() -> None:
             ["synchronisation.index_delay", "1e+19", "smaller"],
         ),
         ("[synchronisation]\nindex_delay = [[0, 1], [3, 0]]", ["synchronisation.index_delay", "freshest", "no effect"]),
-        ("[synchronisation]\nmax_stretch = 3", ["synchronisation.max_stretch", "freshest", "no effect"]),
+        ("[synchronisation]\nmax_step = 3", ["synchronisation.max_step", "freshest", "no effect"]),
         ("[channel]\nreordering = 0.1", ["channel.reordering is 0.1", "reordering_delay is 0 s"]),
         ("[steps]\nduration = 1\n[record]\nevery = 5000", ["record.every is 5000", "1000 steps"]),
         ("[record]\nevery = 10000000000000000000", ["record.every", "less than"]),

@@ -46,16 +46,6 @@ class Tone:
 Linear: TypeAlias = Callable[[Tone], tuple[complex, complex]]
 
 
-def damped_spring(tone: Tone) -> tuple[complex, complex]:
-    """`Linear` of a spring and a damper, the first parameter, to what was heard.
-
-    Args:
-        tone: at which.
-    """
-    own = tone.spring / tone.s + tone.parameters[0]
-    return own, own * tone.there
-
-
 @final
 @dataclass(frozen=True, kw_only=True)
 class Facts:

@@ -10,7 +10,8 @@ from math import sqrt
 
 from cotouch.laws._end import End
 from cotouch.laws._helper import copy
-from cotouch.laws._law import Facts, Law, Parameter, damped_spring, register
+from cotouch.laws._law import Facts, Law, Parameter, register
+from cotouch.laws._pd import damped_spring
 
 
 def _before(end: End) -> None:

@@ -2,7 +2,17 @@
 
 from cotouch.laws._end import End
 from cotouch.laws._helper import copy
-from cotouch.laws._law import Facts, Law, Parameter, damped_spring, register
+from cotouch.laws._law import Facts, Law, Parameter, Tone, register
+
+
+def damped_spring(tone: Tone) -> tuple[complex, complex]:
+    """`Linear` of a spring and a damper, the first parameter, to what was heard.
+
+    Args:
+        tone: at which.
+    """
+    own = tone.spring / tone.s + tone.parameters[0]
+    return own, own * tone.there
 
 
 def _before(end: End) -> None:

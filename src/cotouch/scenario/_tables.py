@@ -154,9 +154,9 @@ class Synchronisation(Table):
         index_delay: N_ij in steps, [i][j] from j to i; by default from the channel's delays.
         quantile: share of this run's samples that N_ij ("constant", "self-paced") or the age budget ("freshest") must
             cover; by default all, and 99 % where self-pacing waits for the rest.
-        max_stretch: bound on T_i(k), in the longest of the user's own steps. "self-paced": what passes beyond it is
-            made up later; by default twice the mean pace of this run. "constant": a step that lasts longer is refused;
-            by default none is.
+        max_step: bound on T_i(k), in the longest of the user's own steps. "self-paced": what passes beyond it is made
+            up later; by default twice the mean pace of this run. "constant": a step that lasts longer is refused; by
+            default none is.
     """
 
     mode: Mode = "freshest"
@@ -166,7 +166,7 @@ class Synchronisation(Table):
     extra_damping: NonNegative | list[NonNegative] = 0.0
     index_delay: list[list[Annotated[int, Field(ge=0, le=_MOST)]]] | None = None
     quantile: Probability | None = None
-    max_stretch: Annotated[float, Field(ge=1.0, allow_inf_nan=False)] | None = None
+    max_step: Annotated[float, Field(ge=1.0, allow_inf_nan=False)] | None = None
 
     @property
     def law_given(self) -> tuple[str, dict[str, float | str]] | None:
@@ -179,7 +179,7 @@ class Synchronisation(Table):
     @model_validator(mode="after")
     def _of_the_mode(self) -> Self:
         if self.mode == "freshest":
-            for name in ("index_delay", "max_stretch"):
+            for name in ("index_delay", "max_step"):
                 if getattr(self, name) is not None:
                     raise ValueError(
                         f'{name} is given, but in mode "freshest" it has no effect; leave it out, or use mode '

@@ -67,7 +67,7 @@ def bound_together(scenario: Scenario, nominal: Float, length: Float) -> Float:
     Raises:
         ScenarioError: a step lasts longer than the scenario allows.
     """
-    longest = scenario.synchronisation.max_stretch
+    longest = scenario.synchronisation.max_step
     found = length.max(axis=1)
     if longest is None:
         return found
@@ -76,9 +76,8 @@ def bound_together(scenario: Scenario, nominal: Float, length: Float) -> Float:
     if over.max() > 1.0 + 1e-9:
         i = int(over.argmax())
         raise ScenarioError(
-            f"synchronisation.max_stretch is {longest:g}; a step of user {i + 1} may last {bound[i]:.4g} s, but "
-            f'waiting for the others makes one last {found[i]:.4g} s; raise it, or use mode "freshest", '
-            "in which nobody waits"
+            f"synchronisation.max_step is {longest:g}; a step of user {i + 1} may last {bound[i]:.4g} s, but waiting "
+            f'for the others makes one last {found[i]:.4g} s; raise it, or use mode "freshest", in which nobody waits'
         )
     return bound
 
@@ -94,7 +93,7 @@ def bound_apart(scenario: Scenario, nominal: Float, end: Float) -> Float:
     Raises:
         ScenarioError: with it a copy would never make up for its waits.
     """
-    longest = scenario.synchronisation.max_stretch
+    longest = scenario.synchronisation.max_step
     pace = end[:, -1] / end.shape[1]
     if longest is None:
         return 2.0 * pace  # leaves room to make up for a long wait
@@ -103,7 +102,7 @@ def bound_apart(scenario: Scenario, nominal: Float, end: Float) -> Float:
     if short.max() > 1.0 + 1e-9:
         i = int(short.argmax())
         raise ScenarioError(
-            f"synchronisation.max_stretch is {longest:g}; a step of user {i + 1} simulates {bound[i]:.4g} s at most, "
+            f"synchronisation.max_step is {longest:g}; a step of user {i + 1} simulates {bound[i]:.4g} s at most, "
             f"but it takes one every {pace[i]:.4g} s and its copy would live ever more slowly; make it at least "
             f'{np.ceil(longest * short[i]):g}, or use mode "freshest", in which nobody waits'
         )
