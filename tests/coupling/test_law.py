@@ -325,9 +325,15 @@ def _misspelt(end: Float) -> None:
     end[END.gop] = 1.0  # pyright: ignore[reportAttributeAccessIssue, reportUnknownArgumentType, reportUnknownMemberType]
 
 
+def _stops(end: Float) -> None:
+    assert end[END.stiffness] > 0.0
+    hold_gap(end, 0.0, 1.0, 0.0, 0.0)
+
+
 @pytest.mark.parametrize(
     ("half", "said"),
     [
+        (_stops, 'coupling "odd" raises an error or asserts (test_law.py, line '),
         (_beyond, 'coupling "odd" leaves its row: index 53 is out of bounds for axis 0 with size 53 (test_law'),
         (_misspelt, "coupling \"odd\" cannot be compiled: Unknown attribute 'gop' of type EndFields"),
     ],

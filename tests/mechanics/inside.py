@@ -26,6 +26,7 @@ from cotouch.mechanics._materials._arrays import gradients_of, lame_of
 from cotouch.mechanics._materials._breaking import SOLIDS, principal_stress
 from cotouch.mechanics._materials._force import LAWS, evaluate, lean, resist
 from cotouch.mechanics._materials._nearest import SWEEPS
+from cotouch.mechanics._materials._tetrahedra import SOLIDS as SOLID_LAWS
 from cotouch.mechanics._meeting._foot import foot
 from cotouch.mechanics._meeting._tool_walls import walls_of
 from cotouch.mechanics._meeting._world_points import shortened
@@ -45,6 +46,7 @@ __all__ = [
     "LEAST",
     "MOST",
     "SOLIDS",
+    "SOLID_LAWS",
     "SWEEPS",
     "WEIGHED",
     "WORSE",

@@ -1,7 +1,7 @@
 """What every contact law must do: conformance over the registry, and what the sum over a skin must come to."""
 
 from math import pi, sqrt
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -10,8 +10,9 @@ from tests.mechanics.inside import Foundation
 from tests.mechanics.inside import press as press_point
 from tests.mechanics.pressing import areas, flat
 
+from cotouch.errors import ScenarioError
 from cotouch.installed import installed_names
-from cotouch.kernels import inner, kernel
+from cotouch.kernels import inner, kernel, upper
 from cotouch.mechanics import CONTACT_LAWS, Stiffening, conform_contact_law, contact_law_named, press_skin
 
 Float = npt.NDArray[np.float64]
@@ -91,6 +92,48 @@ def test_what_a_law_gets_wrong_is_one_sentence(slip: int, said: str, monkeypatch
 def cubic(law: Cubic, stiffness: float, radius: float, depth: float) -> tuple[float, float, float]:
     share = stiffness / radius**3
     return share * depth**3, 3.0 * law.lie * share * depth**2, 6.0 * share * depth
+
+
+@inner
+def _refusing(law: Broken, stiffness: float, radius: float, depth: float) -> Any:
+    if law.slip < 0:
+        raise ValueError
+    return 0.0, 0.0, 0.0
+
+
+@inner
+def _wrong_in_the_middle(law: Broken, stiffness: float, radius: float, depth: float) -> Any:
+    share = stiffness / radius**3
+    beyond = upper(depth - 0.45 * radius, 0.0)
+    return share * depth**3, 3.0 * share * (depth**2 + beyond * depth), 6.0 * share * depth * (1.0 + beyond)
+
+
+class Lacking(NamedTuple):
+    """Nobody could name it in a scenario without saying all numbers."""
+
+    firm: float
+    soft: float = 1.0
+
+
+@pytest.mark.parametrize(
+    ("function", "said"),
+    [
+        (cast("Any", cubic).py_func, "its function is not compiled; write `@inner` above it"),
+        (_refusing, "it raises an error or asserts (test_contact_law.py, line "),
+        (_wrong_in_the_middle, "pressure is not the derivative of energy"),
+    ],
+)
+def test_a_law_that_a_step_could_not_call_is_one_sentence(
+    function: Any, said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(CONTACT_LAWS, Broken, function)
+    assert any(entry.startswith(said) for entry in conform_contact_law(Broken()))
+
+
+def test_each_number_of_a_law_has_a_default(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(CONTACT_LAWS, Lacking, cubic)
+    with pytest.raises(ScenarioError, match=r'^contact law "lacking" has no default for firm; each number needs one$'):
+        contact_law_named("lacking")
 
 
 @pytest.mark.parametrize("lie", [1.0, 1.1])

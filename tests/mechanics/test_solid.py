@@ -1,12 +1,13 @@
 """What is told of a material of one's own that is none."""
 
+import re
 import sys
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import pytest
 from tests.blocks import blocks_of
-from tests.mechanics.inside import LAWS
+from tests.mechanics.inside import LAWS, SOLID_LAWS
 
 from cotouch.body import is_solid_model, solid_laws
 from cotouch.errors import BodyError
@@ -78,6 +79,33 @@ def _linear(law: Any, lam: float, mu: float, h: Any, h1: Any, memory: Any, e: An
 def _linear_energy(law: Any, lam: float, mu: float, h1: Any, memory: Any, e: Any, sweeps: int) -> float:
     strain = matrix3.symmetric(h1)
     return mu * matrix3.contraction(strain, strain) + 0.5 * lam * (strain[0] + strain[4] + strain[8]) ** 2
+
+
+@inner
+def _stops(law: Any, lam: float, mu: float, h1: Any, memory: Any, e: Any, sweeps: int) -> float:
+    assert lam > 0.0
+    return 0.0
+
+
+@pytest.mark.parametrize(
+    ("stress", "energy", "said"),
+    [
+        (cast("Any", _linear).py_func, _linear_energy, "its stress is not compiled; write `@inner` above it"),
+        (_linear, cast("Any", _linear_energy).py_func, "its energy is not compiled; write `@inner` above it"),
+        (_linear, _stops, "its energy raises an error or asserts (test_solid.py, line "),
+    ],
+)
+def test_what_a_step_could_not_call_is_refused(stress: Any, energy: Any, said: str) -> None:
+    with pytest.raises(BodyError, match=f'^material "linear" breaks the interface: {re.escape(said)}'):
+        register_solid("linear", stress=stress, energy=energy)
+
+
+def test_a_material_may_have_any_name(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("cotouch.body._material._SOLIDS", dict.fromkeys(solid_laws(), 0.0))
+    own = SOLID_LAWS["st-venant-kirchhoff"]
+    made = register_solid("kirchhoff 2.b", stress=own.stress, energy=own.energy)
+    assert "kirchhoff 2.b" in solid_laws()
+    del LAWS[made.kind], SOLID_LAWS["kirchhoff 2.b"]
 
 
 def test_a_material_that_feels_rotation_is_refused() -> None:

@@ -28,7 +28,7 @@ from cotouch.arrays import Float
 from cotouch.compiled import intrinsic, stamped
 from cotouch.coupling._end import END, end_row
 from cotouch.errors import DeviceError
-from cotouch.kernels import beyond, reason, written_here
+from cotouch.kernels import beyond, raises, reason, written_here
 
 # The row of an end as machine code gets it.
 _SIGNATURE: Any = types.void(types.CPointer(types.float64))
@@ -100,10 +100,16 @@ class DeviceCoupling:
             proxy: which.
 
         Raises:
-            DeviceError: it cannot be compiled, or leaves the row of its end.
+            DeviceError: it cannot be compiled, leaves the row of its end, or raises.
         """
         if proxy not in self._made:
             half = self.proxy if proxy else self.device
+            where = None if written_here(half) else raises(half)
+            if where is not None:
+                raise DeviceError(
+                    f'coupling "{self.name}" raises an error or asserts ({where}), which nobody catches where '
+                    "couplings run; it must do without"
+                )
             made = self._compiled(half)
             said = None if written_here(half) else beyond([half], _rows())
             if said is not None:

@@ -5,6 +5,7 @@ from cotouch.kernels._angle import angles
 from cotouch.kernels._bounds import as_written, beyond, written_here
 from cotouch.kernels._four_numbers import FourNumbers
 from cotouch.kernels._kernel import block, inner, kernel, outlined, part
+from cotouch.kernels._raises import raises
 from cotouch.kernels._reason import reason
 from cotouch.kernels._vector import (
     FOUR,
@@ -44,6 +45,7 @@ __all__ = [
     "outlined",
     "part",
     "put",
+    "raises",
     "reason",
     "root",
     "size",

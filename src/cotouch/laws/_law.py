@@ -8,8 +8,8 @@ from typing import TypeAlias, final
 
 from cotouch.errors import NetworkError
 from cotouch.installed import check_own_name, installed, installed_names
-from cotouch.kernels import beyond, reason, written_here
-from cotouch.laws._checks import factor, raises, worked_out
+from cotouch.kernels import beyond, raises, reason, written_here
+from cotouch.laws._checks import factor, worked_out
 from cotouch.laws._end import CompiledHalf, End
 from cotouch.laws._origin_force import OriginForce
 from cotouch.laws._trial import ends

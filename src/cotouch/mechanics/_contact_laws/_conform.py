@@ -5,14 +5,15 @@ from typing import Any, TypeAlias, cast
 
 from cotouch.errors import ScenarioError
 from cotouch.installed import installed, installed_names
-from cotouch.kernels import FourNumbers, as_written, written_here
+from cotouch.kernels import FourNumbers, as_written, raises, written_here
 from cotouch.mechanics._contact_laws._law import CONTACT_LAWS
 
 # Entry points of contact laws that other packages bring.
 GROUP = "cotouch.contact_laws"
 # A tool on which laws are tried: stiffness [N/m], radius [m].
 _TOOL = 1000.0, 0.01
-_DEPTHS = (1e-4, 0.01, 0.1, 0.3)
+# Up to its middle, which is at half of the radius.
+_DEPTHS = (1e-4, 0.01, 0.1, 0.3, 0.45, 0.49)
 _Press: TypeAlias = Callable[[Any, float, float, Any], tuple[Any, Any, Any]]
 
 
@@ -22,7 +23,13 @@ def conform_contact_law(law: tuple[float, ...]) -> list[str]:
     Args:
         law: a NamedTuple of numbers, registered in `CONTACT_LAWS`.
     """
-    press = cast("_Press", as_written(CONTACT_LAWS[type(law)]))
+    given = CONTACT_LAWS[type(law)]
+    where = raises(given)
+    if where is not None:
+        return [f"it raises an error or asserts ({where}), which nobody catches where it runs"]
+    if not hasattr(given, "py_func"):
+        return ["its function is not compiled; write `@inner` above it"]
+    press = cast("_Press", as_written(given))
     try:
         return _findings(law, press)
     except Exception as error:  # noqa: BLE001 - what somebody wrote may be wrong in any way
@@ -38,7 +45,7 @@ def _findings(law: tuple[float, ...], press: _Press) -> list[str]:
         if len(values) != 3:
             return [f"it returns {len(values)} values; it must return energy, pressure and slope"]
         energy, pressure, slope = values
-        h = 1e-4 * depth
+        h = 1e-5 * depth
         below, above = press(law, stiffness, radius, depth - h), press(law, stiffness, radius, depth + h)
         if abs((above[0] - below[0]) / (2.0 * h) - pressure) > 1e-5 * abs(pressure):
             found.append("pressure is not the derivative of energy")
@@ -78,7 +85,10 @@ def contact_law_named(name: str) -> type[tuple[float, ...]]:
                 "letters, and its module must put it into CONTACT_LAWS"
             )
         kinds[name] = loaded
-    kind = kinds[name]
+    kind = cast("type[Any]", kinds[name])
+    lacks = [field for field in kind._fields if field not in kind._field_defaults]
+    if lacks:
+        raise ScenarioError(f'contact law "{name}" has no default for {", ".join(lacks)}; each number needs one')
     broken = [] if written_here(kind) else conform_contact_law(kind())
     if broken:
         raise ScenarioError(f'contact law "{name}" breaks the interface: {broken[0]}')

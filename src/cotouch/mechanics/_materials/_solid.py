@@ -1,5 +1,6 @@
 """Laws of tetrahedra of others: what makes a stress and an energy a material that bodies can be of."""
 
+import re
 from collections.abc import Callable
 
 import numpy as np
@@ -7,7 +8,7 @@ import numpy as np
 from cotouch.arrays import Float
 from cotouch.body import add_solid_law
 from cotouch.errors import BodyError
-from cotouch.kernels import FourNumbers, as_written
+from cotouch.kernels import FourNumbers, as_written, raises
 from cotouch.kernels.matrix3 import Matrix
 from cotouch.mechanics._materials._force import LAWS
 from cotouch.mechanics._materials._tetrahedra import SOLIDS, SolidLaw, evaluate, resist, tables_of
@@ -31,13 +32,25 @@ def register_solid(
     Raises:
         BodyError: stress and energy are not those of one elastic material with these λ and μ.
     """
-    broken = _findings(as_written(stress), as_written(energy))
+    broken = _uncompiled(stress, energy) or _findings(as_written(stress), as_written(energy))
     if broken:
         raise BodyError(f'material "{name}" breaks the interface: {broken[0]}')
-    made = SOLIDS[name] = SolidLaw(tables_of(f"Solid_{name}".replace("-", "_"), f"Of {name}"), stress, energy)
+    made = SOLIDS[name] = SolidLaw(tables_of("Solid_" + re.sub(r"\W", "_", name), f"Of {name}"), stress, energy)
     LAWS[made.kind] = resist, evaluate
     add_solid_law(name, poisson_above=poisson_above)
     return made
+
+
+def _uncompiled(stress: Callable[..., Matrix], energy: Callable[..., float]) -> list[str]:
+    """What both must be before they are run, in a sentence each."""
+    found: list[str] = []
+    for what, function in (("stress", stress), ("energy", energy)):
+        where = raises(function)
+        if where is not None:
+            found.append(f"its {what} raises an error or asserts ({where}), which nobody catches where it runs")
+        if not hasattr(function, "py_func"):
+            found.append(f"its {what} is not compiled; write `@inner` above it")
+    return found
 
 
 # λ and μ with which laws are tried; odd, so that one is not taken for the other.
