@@ -17,13 +17,13 @@ def test_in_time_is_in_time(watch: Stalls):
     watch.within(10.0, 0.099)
 
 
-@pytest.mark.parametrize("gone", [0.101, 0.129])
+@pytest.mark.parametrize("gone", [0.101, 0.129, 0.131])
 def test_what_the_machine_lost_is_no_failure_but_no_success(watch: Stalls, gone: float):
     with pytest.raises(Stalled, match="stood still for 30 ms"):
         watch.within(10.0, gone)
 
 
-@pytest.mark.parametrize(("began", "gone"), [(10.0, 0.131), (10.0, float("inf")), (10.07, 0.101), (10.04, 0.12)])
+@pytest.mark.parametrize(("began", "gone"), [(10.0, 0.132), (10.0, float("inf")), (10.07, 0.101), (10.04, 0.12)])
 def test_what_is_later_than_that_is_a_failure(watch: Stalls, began: float, gone: float):
     with pytest.raises(AssertionError, match="only after") as caught:
         watch.within(began, gone)

@@ -142,19 +142,12 @@ def test_clocks_may_differ() -> None:
 def _shift(person: Person, offset: float) -> None:
     """A member whose clock shows another time than the world's."""
 
-    class Shifted:
-        def __init__(self, transport: object) -> None:
-            self._transport = transport
+    poll, step, service = person.samples.poll, person.member.step, person.member.service
 
-        def __getattr__(self, name: str) -> object:
-            return getattr(self._transport, name)
+    def shifted() -> list[Arrival]:
+        return [Arrival(one.payload, one.source, one.time + offset) for one in poll()]
 
-        def poll(self) -> list[Arrival]:
-            arrived = person.samples.poll()
-            return [Arrival(one.payload, one.source, one.time + offset) for one in arrived]
-
-    person.paths.transport = Shifted(person.paths.transport)  # pyright: ignore[reportAttributeAccessIssue]
-    step, service = person.member.step, person.member.service
+    person.samples.poll = shifted  # pyright: ignore[reportAttributeAccessIssue]
     person.member.step = lambda now, T: step(now + offset, T)  # pyright: ignore[reportAttributeAccessIssue]
     person.member.service = lambda now: service(now + offset)  # pyright: ignore[reportAttributeAccessIssue]
 

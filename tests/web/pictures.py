@@ -87,8 +87,9 @@ def shown(running: Browser, kind: Kind = "3d", *, still: bool = True, **stands: 
 
 
 def spot(page: Page, point: int | None = None) -> tuple[float, float, int]:
-    """Where a point of the page's own copy is drawn [pixels], and which it is."""
-    found = page.evaluate("point => window.cotouch.stage.spot(point ?? undefined)", point)
+    """Where a point of the page's own copy is drawn [pixels], and which it is; waits for the first picture."""
+    where = page.wait_for_function("point => window.cotouch.stage.spot(point ?? undefined)", arg=point)
+    found = where.json_value()
     return found["x"], found["y"], found["point"]
 
 
