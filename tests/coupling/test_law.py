@@ -19,6 +19,7 @@ from cotouch.coupling import (
     hear,
     hold_gap,
     message_of,
+    register_coupling,
     run_end,
 )
 from cotouch.device import installed_coupling
@@ -345,3 +346,10 @@ def test_what_a_coupling_gets_wrong_is_one_sentence(half: Callable[[Float], None
             law.half(proxy=proxy)
         assert str(caught.value).startswith(said)
         assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("name", ["", "é" * 17])
+def test_a_name_that_a_servo_could_not_be_told_is_refused(name: str) -> None:
+    with pytest.raises(DeviceError, match=f'^the name of the coupling "{name}" must have 1 to 32 bytes$'):
+        register_coupling(DeviceCoupling(name=name, device=_beyond, proxy=_beyond))
+    assert name not in device_couplings()

@@ -18,7 +18,15 @@ from cotouch.coupling._end import (
     squared,
     unheard,
 )
-from cotouch.coupling._law import DeviceCoupling, HeldForce, coupling_at, device_couplings, register_coupling, run_end
+from cotouch.coupling._law import (
+    NAME_BYTES,
+    DeviceCoupling,
+    HeldForce,
+    coupling_at,
+    device_couplings,
+    register_coupling,
+    run_end,
+)
 from cotouch.coupling._modulation import (
     checked_virtual_coupling,
     modulate,
@@ -33,6 +41,7 @@ from cotouch.coupling._virtual import VIRTUAL_COUPLING
 
 __all__ = [
     "END",
+    "NAME_BYTES",
     "PSPM_COUPLING",
     "REST_DRIFT",
     "REST_FIELDS",

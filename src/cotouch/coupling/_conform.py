@@ -22,7 +22,7 @@ def conform_coupling(law: DeviceCoupling) -> list[str]:
         law: the coupling.
 
     Raises:
-        DeviceError: one of its functions cannot be compiled, or leaves its row.
+        DeviceError: one of its functions cannot be compiled, leaves its row, or raises.
     """
     found: list[str] = []
     for proxy in (False, True):

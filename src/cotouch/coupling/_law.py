@@ -188,6 +188,9 @@ def coupling_at(address: int) -> DeviceCoupling:
     return _at[address]
 
 
+# A servo is told the name of its coupling in so many bytes.
+NAME_BYTES = 32
+
 _KNOWN: dict[str, DeviceCoupling] = {}
 
 
@@ -196,7 +199,12 @@ def register_coupling(law: DeviceCoupling) -> DeviceCoupling:
 
     Args:
         law: the coupling.
+
+    Raises:
+        DeviceError: its name is empty, or longer than a servo is told.
     """
+    if not 0 < len(law.name.encode()) <= NAME_BYTES:
+        raise DeviceError(f'the name of the coupling "{law.name}" must have 1 to {NAME_BYTES} bytes')
     _KNOWN[law.name] = law
     return law
 

@@ -8,7 +8,7 @@ from struct import Struct
 from typing import Any, Final, TypeAlias, final
 
 from cotouch.arrays import Array
-from cotouch.coupling import EnergyMessage
+from cotouch.coupling import NAME_BYTES, EnergyMessage
 from cotouch.errors import InputError
 from cotouch.haptics._core import Order, ServoReport
 from cotouch.haptics._device import Flag
@@ -26,7 +26,7 @@ GUARD: Final = "guard"
 GUARD_FIELDS: Final = {"looks": ((), "i8")}
 _RECORD: Final = "record"
 _MESSAGE: Final = "6d?"
-_OPTIONS: Final = "".join("32s" if name == "law" else "d" for name in EndOptions._fields)
+_OPTIONS: Final = "".join(f"{NAME_BYTES}s" if name == "law" else "d" for name in EndOptions._fields)
 # What a `ServoReport` says, in its order.
 _REPORT: Final = Struct(f"<dq12d{_MESSAGE}2d4q4d6d{_MESSAGE}")
 # Likewise an `Order`; first whether there is a place, a coupling and one of turning, and these.
